@@ -1,0 +1,255 @@
+/*---------------------------------------------------------------------------*\
+  umfsiFoam: fluid-structure interaction with one momentum equation
+-------------------------------------------------------------------------------
+License
+    This file is part of umfsiFoam.
+
+    umfsiFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by
+    the Free Software Foundation, either version 3 of the License, or
+    (at your option) any later version.
+
+    umfsiFoam is distributed in the hope that it will be useful, but WITHOUT
+    ANY WARRANTY; without even the implied warranty of MERCHANTABILITY or
+    FITNESS FOR A PARTICULAR PURPOSE.  See the GNU General Public License
+    for more details.
+
+    You should have received a copy of the GNU General Public License
+    along with umfsiFoam.  If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "flexibleGMRES.H"
+#include "PstreamReduceOps.H"
+#include "ops.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+    defineTypeNameAndDebug(flexibleGMRES, 0);
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::label Foam::flexibleGMRES::readPositive
+(
+    const dictionary& controls,
+    const word& entry,
+    const label defaultValue
+)
+{
+    const label value = controls.getOrDefault<label>(entry, defaultValue);
+
+    if (value < 1)
+    {
+        FatalIOErrorInFunction(controls)
+            << "Entry '" << entry << "' is " << value << nl
+            << "    Valid choices: 1 and above"
+            << exit(FatalIOError);
+    }
+
+    return value;
+}
+
+
+Foam::unifiedVector& Foam::flexibleGMRES::vectorOf
+(
+    PtrList<unifiedVector>& list,
+    const label i,
+    const unifiedVector& like
+)
+{
+    if (i >= list.size())
+    {
+        list.append(new unifiedVector(like.U.size(), like.Uf.size()));
+    }
+
+    return list[i];
+}
+
+
+Foam::scalarList Foam::flexibleGMRES::dots
+(
+    const linearSystem& system,
+    const label n,
+    const unifiedVector& w
+) const
+{
+    scalarList products(n);
+
+    forAll(products, i)
+    {
+        products[i] = system.localDot(v_[i], w);
+    }
+
+    Pstream::listCombineGather(products, plusEqOp<scalar>());
+    Pstream::listCombineScatter(products);
+
+    return products;
+}
+
+
+Foam::label Foam::flexibleGMRES::cycle
+(
+    linearSystem& system,
+    const label maxSweeps,
+    unifiedVector& z,
+    unifiedVector& r,
+    bool& converged
+)
+{
+    const label m = min(nVectors_, maxSweeps);
+
+    unifiedVector& v0 = vectorOf(v_, 0, r);
+    v0 = r;
+    const scalar beta = sqrt
+    (
+        returnReduce(system.localDot(r, r), sumOp<scalar>())
+    );
+
+    if (!(beta > VSMALL))
+    {
+        // Nothing left to reduce, or not a number: not for us to judge
+        converged = beta <= VSMALL;
+        return 0;
+    }
+
+    v0.scale(1/beta);
+
+    // Hessenberg matrix as it is, and rotated to triangular form
+    RectangularMatrix<scalar> H(m + 1, m, Zero);
+    RectangularMatrix<scalar> R(m + 1, m, Zero);
+    scalarList cosine(m), sine(m), g(m + 1, 0.0), y(m, 0.0);
+    g[0] = beta;
+
+    unifiedVector zNew, rNew;
+
+    for (label j = 0; j < m; ++j)
+    {
+        unifiedVector& zj = vectorOf(z_, j, r);
+        unifiedVector& w = vectorOf(v_, j + 1, r);
+
+        system.precondition(v_[j], zj);
+        system.apply(zj, w);
+
+        // Gram-Schmidt twice: once loses orthogonality
+        for (label pass = 0; pass < 2; ++pass)
+        {
+            const scalarList h(dots(system, j + 1, w));
+            forAll(h, i)
+            {
+                w.add(-h[i], v_[i]);
+                H(i, j) += h[i];
+            }
+        }
+
+        H(j + 1, j) = sqrt
+        (
+            returnReduce(system.localDot(w, w), sumOp<scalar>())
+        );
+
+        const bool exhausted = !(H(j + 1, j) > 1e-14*beta);
+        if (!exhausted)
+        {
+            w.scale(1/H(j + 1, j));
+        }
+
+        // Givens rotations
+        for (label i = 0; i <= j + 1; ++i)
+        {
+            R(i, j) = H(i, j);
+        }
+        for (label i = 0; i < j; ++i)
+        {
+            const scalar a = R(i, j);
+            R(i, j) = cosine[i]*a + sine[i]*R(i + 1, j);
+            R(i + 1, j) = -sine[i]*a + cosine[i]*R(i + 1, j);
+        }
+        const scalar radius = sqrt(sqr(R(j, j)) + sqr(R(j + 1, j)));
+        cosine[j] = R(j, j)/radius;
+        sine[j] = R(j + 1, j)/radius;
+        R(j, j) = radius;
+        g[j + 1] = -sine[j]*g[j];
+        g[j] *= cosine[j];
+
+        for (label i = j; i >= 0; --i)
+        {
+            y[i] = g[i];
+            for (label k = i + 1; k <= j; ++k)
+            {
+                y[i] -= R(i, k)*y[k];
+            }
+            y[i] /= R(i, i);
+        }
+
+        // The solution so far, and its residual r - V H y
+        zNew = z;
+        rNew = r;
+        for (label i = 0; i <= j; ++i)
+        {
+            zNew.add(y[i], z_[i]);
+        }
+        for (label i = 0; i <= j + 1; ++i)
+        {
+            scalar Hy = 0;
+            for (label k = max(i - 1, 0); k <= j; ++k)
+            {
+                Hy += H(i, k)*y[k];
+            }
+            rNew.add(-Hy, v_[i]);
+        }
+
+        converged = system.converged(zNew, rNew);
+
+        if (converged || exhausted || j == m - 1)
+        {
+            z = zNew;
+            r = rNew;
+            return j + 1;
+        }
+    }
+
+    return m;
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::flexibleGMRES::flexibleGMRES(const dictionary& controls)
+:
+    maxSweeps_(readPositive(controls, "maxSweeps", 60)),
+    nVectors_(readPositive(controls, "nVectors", 30))
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::flexibleGMRES::performance Foam::flexibleGMRES::solve
+(
+    linearSystem& system,
+    unifiedVector& z,
+    unifiedVector& r
+)
+{
+    performance perf{0, false};
+
+    while (!perf.converged && perf.nSweeps < maxSweeps_)
+    {
+        const label n =
+            cycle(system, maxSweeps_ - perf.nSweeps, z, r, perf.converged);
+
+        perf.nSweeps += n;
+
+        if (n == 0)
+        {
+            break;
+        }
+    }
+
+    return perf;
+}
+
+
+// ************************************************************************* //

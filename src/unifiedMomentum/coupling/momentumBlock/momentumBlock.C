@@ -1,0 +1,238 @@
+/*---------------------------------------------------------------------------*\
+  umfsiFoam: fluid-structure interaction with one momentum equation
+-------------------------------------------------------------------------------
+License
+    This file is part of umfsiFoam.
+
+    umfsiFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by
+    the Free Software Foundation, either version 3 of the License, or
+    (at your option) any later version.
+
+    umfsiFoam is distributed in the hope that it will be useful, but WITHOUT
+    ANY WARRANTY; without even the implied warranty of MERCHANTABILITY or
+    FITNESS FOR A PARTICULAR PURPOSE.  See the GNU General Public License
+    for more details.
+
+    You should have received a copy of the GNU General Public License
+    along with umfsiFoam.  If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "momentumBlock.H"
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::momentumBlock::momentumBlock
+(
+    const momentumFlux& flux,
+    const zoneMesh& zone,
+    const bool solid
+)
+:
+    flux_(flux),
+    solid_(solid),
+    zone_(zone),
+    matrices_(vector::nComponents)
+{
+    if (zone_.valid())
+    {
+        const Vector<label>& solved = flux.geometry().mesh().solutionD();
+
+        for (direction cmpt = 0; cmpt < vector::nComponents; ++cmpt)
+        {
+            if (solved[cmpt] > 0)
+            {
+                matrices_.set
+                (
+                    cmpt,
+                    new zoneMatrix
+                    (
+                        zone_,
+                        word(solid ? "D" : "U") + vector::componentNames[cmpt]
+                    )
+                );
+            }
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::momentumBlock::update
+(
+    const vectorField& ownSide,
+    const vectorField& neiSide,
+    const scalarField& source,
+    const dictionary& solverControls
+)
+{
+    if (!zone_.valid())
+    {
+        return;
+    }
+
+    const fluxGeometry& geometry = flux_.geometry();
+    const stressFlux& stress = flux_.stress(solid_);
+    const fvMesh& mesh = geometry.mesh();
+    const labelUList& own = mesh.faceOwner();
+    const labelUList& nei = mesh.faceNeighbour();
+    const vectorField& n = geometry.n();
+    const fluxGeometry::zone& zone = geometry.cellsAndFaces(solid_);
+
+    for (direction k = 0; k < vector::nComponents; ++k)
+    {
+        if (!matrices_.set(k))
+        {
+            continue;
+        }
+
+        scalarField cellCoeffs(mesh.nCells(), 0);
+        scalarField faceCoeffs(mesh.nFaces(), 0);
+
+        for (const label celli : zone.cells)
+        {
+            cellCoeffs[celli] =
+                geometry.materials()[celli].rho()*geometry.V()[celli]
+               /flux_.betaDt()
+              + source[celli];
+        }
+
+        const auto inside = [&](const label facei)
+        {
+            return
+                stress.diffusion(facei)
+              + stress.extraNormal(facei)*sqr(n[facei][k]);
+        };
+
+        for (const label facei : zone.internal)
+        {
+            faceCoeffs[facei] = inside(facei);
+        }
+        for (const label facei : zone.coupled)
+        {
+            faceCoeffs[facei] = inside(facei);
+        }
+
+        // What a face with own value adds to the cell at one of its sides
+        const auto side = [&](const label facei, const bool owner)
+        {
+            const label i = geometry.unknownIndex()[facei];
+
+            switch (geometry.kind(facei))
+            {
+                case fluxGeometry::INTERFACE:
+                {
+                    return
+                        ownSide[i][k]*neiSide[i][k]
+                       /max(ownSide[i][k] + neiSide[i][k], VSMALL);
+                }
+                case fluxGeometry::SLIP:
+                {
+                    return
+                        sqr(n[facei][k])
+                       *(
+                            stress.sideDiffusion(facei, owner)
+                          + stress.sideExtraNormal(facei, owner)
+                        );
+                }
+                case fluxGeometry::FIXED:
+                {
+                    return
+                        (
+                            stress.sideDiffusion(facei, owner)
+                          + stress.sideExtraNormal(facei, owner)
+                           *sqr(n[facei][k])
+                        )
+                       *(1 - flux_.internalCoeff()[facei][k]);
+                }
+                default:
+                {
+                    return scalar(0);
+                }
+            }
+        };
+
+        for (const label facei : zone.ownSides)
+        {
+            if (zone_.inside(facei))
+            {
+                // Between two solids: both cells are in the matrix
+                faceCoeffs[facei] = side(facei, true);
+            }
+            else
+            {
+                cellCoeffs[own[facei]] += side(facei, true);
+            }
+        }
+        for (const label facei : zone.neiSides)
+        {
+            if (!zone_.inside(facei))
+            {
+                cellCoeffs[nei[facei]] += side(facei, false);
+            }
+        }
+
+        if (!solid_)
+        {
+            // Outflow through patches leaves with the cell's velocity
+            for (const label facei : zone.ownSides)
+            {
+                cellCoeffs[own[facei]] += max(flux_.rhoPhi()[facei], 0);
+            }
+        }
+
+        matrices_[k].set
+        (
+            cellCoeffs,
+            faceCoeffs,
+            solid_ ? scalarField() : flux_.rhoPhi(),
+            solverControls
+        );
+    }
+}
+
+
+Foam::vector Foam::momentumBlock::diag(const label celli) const
+{
+    vector a(vector::one);
+
+    for (direction k = 0; k < vector::nComponents; ++k)
+    {
+        if (matrices_.set(k))
+        {
+            a[k] = matrices_[k].diag(celli);
+        }
+    }
+
+    return a;
+}
+
+
+Foam::label Foam::momentumBlock::solve
+(
+    const direction cmpt,
+    const vectorField& b,
+    vectorField& x
+)
+{
+    if (!matrices_.set(cmpt))
+    {
+        return 0;
+    }
+
+    scalarField xk(b.size(), 0);
+    const label nIterations =
+        matrices_[cmpt].solve(b.component(cmpt), xk);
+
+    for (const label celli : zone_.cells())
+    {
+        x[celli][cmpt] = xk[celli];
+    }
+
+    return nIterations;
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,484 @@
+/*---------------------------------------------------------------------------*\
+  umfsiFoam: fluid-structure interaction with one momentum equation
+-------------------------------------------------------------------------------
+License
+    This file is part of umfsiFoam.
+
+    umfsiFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by
+    the Free Software Foundation, either version 3 of the License, or
+    (at your option) any later version.
+
+    umfsiFoam is distributed in the hope that it will be useful, but WITHOUT
+    ANY WARRANTY; without even the implied warranty of MERCHANTABILITY or
+    FITNESS FOR A PARTICULAR PURPOSE.  See the GNU General Public License
+    for more details.
+
+    You should have received a copy of the GNU General Public License
+    along with umfsiFoam.  If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "sweep.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+const Foam::dictionary& Foam::sweep::controls() const
+{
+    return op_.geometry().mesh().solutionDict().subDict("PIMPLE");
+}
+
+
+void Foam::sweep::setSides()
+{
+    const fluxGeometry& geometry = op_.geometry();
+    const fvMesh& mesh = geometry.mesh();
+    const materialZones& materials = geometry.materials();
+
+    vectorField sides(mesh.nFaces(), Zero);
+
+    const auto side = [&](const label facei, const bool owner)
+    {
+        const label celli =
+            owner ? mesh.faceOwner()[facei] : mesh.faceNeighbour()[facei];
+        const stressFlux& stress = op_.flux().stress(materials.solid(celli));
+
+        vector a(vector::one*stress.sideDiffusion(facei, owner));
+
+        if (geometry.kind(facei) != fluxGeometry::SLIP)
+        {
+            const vector& n = geometry.n()[facei];
+            a += stress.sideExtraNormal(facei, owner)*cmptMultiply(n, n);
+        }
+
+        return a;
+    };
+
+    forAll(ownSide_, i)
+    {
+        const label facei = geometry.unknownFaces()[i];
+        ownSide_[i] = side(facei, true);
+        sides[facei] = ownSide_[i];
+    }
+
+    const vectorField beyond(geometry.neighbourSides(sides));
+
+    forAll(neiSide_, i)
+    {
+        const label facei = geometry.unknownFaces()[i];
+        if (mesh.isInternalFace(facei))
+        {
+            neiSide_[i] = side(facei, false);
+        }
+        else if (geometry.coupled(facei))
+        {
+            neiSide_[i] = beyond[facei - mesh.nInternalFaces()];
+        }
+    }
+}
+
+
+void Foam::sweep::setPressure()
+{
+    const fluxGeometry& geometry = op_.geometry();
+    const fvMesh& mesh = geometry.mesh();
+    const labelUList& own = mesh.faceOwner();
+    const labelUList& nei = mesh.faceNeighbour();
+    const fluxGeometry::zone& fluid = geometry.cellsAndFaces(false);
+    const pressureFlux& pressure = op_.flux().pressure();
+    const scalarField& w = geometry.w();
+    const Vector<label>& solved = mesh.solutionD();
+
+    for (const label celli : fluid.cells)
+    {
+        scalar a = 0;
+        label n = 0;
+        for (direction k = 0; k < vector::nComponents; ++k)
+        {
+            if (solved[k] > 0)
+            {
+                a += diag_[celli][k];
+                ++n;
+            }
+        }
+
+        // Between V/a_P and beta dt/rho, which are right for slow and for
+        // fast changes
+        D_[celli] = sqrt
+        (
+            geometry.V()[celli]*n/a
+           *op_.flux().betaDt()/geometry.materials()[celli].rho()
+        );
+    }
+
+    const auto coefficient = [&](const label facei, const scalar DN)
+    {
+        return
+            ((1 - w[facei])*D_[own[facei]] + w[facei]*DN)
+           *mag(mesh.faceAreas()[facei])
+           /(geometry.hOwn()[facei] + geometry.hNei()[facei]);
+    };
+
+    const scalarField DN(geometry.neighbourValues(D_));
+    scalarField cellCoeffs(mesh.nCells(), 0);
+
+    for (const label facei : fluid.internal)
+    {
+        faceD_[facei] = coefficient(facei, D_[nei[facei]]);
+    }
+    for (const label facei : fluid.coupled)
+    {
+        faceD_[facei] =
+            coefficient(facei, DN[facei - mesh.nInternalFaces()]);
+    }
+    for (const label facei : fluid.ownSides)
+    {
+        if (pressure.fixesP(facei))
+        {
+            cellCoeffs[own[facei]] +=
+                D_[own[facei]]*mag(mesh.faceAreas()[facei])
+               /geometry.hOwn()[facei];
+        }
+    }
+
+    forAll(compliance_.walls(), walli)
+    {
+        const interfaceCompliance::wallFace& wall = compliance_.walls()[walli];
+
+        if (wall.fluidCell >= 0)
+        {
+            cellCoeffs[wall.fluidCell] +=
+                compliance_.C()[walli]*mag(mesh.faceAreas()[wall.facei]);
+        }
+    }
+
+    pressure_->set(cellCoeffs, faceD_, scalarField(), mesh.solverDict("p"));
+}
+
+
+void Foam::sweep::solveFluid(const unifiedVector& r, unifiedVector& dz)
+{
+    const fluxGeometry& geometry = op_.geometry();
+    const fvMesh& mesh = geometry.mesh();
+    const fluxGeometry::zone& fluid = geometry.cellsAndFaces(false);
+
+    vectorField b(r.U);
+
+    // Solids have moved already: they pull on the fluid through the face
+    const vectorField beyond(geometry.neighbourValues(dz.U));
+
+    for (const interfaceCompliance::wallFace& wall : compliance_.walls())
+    {
+        if (wall.fluidCell >= 0)
+        {
+            const vector& own = ownSide_[wall.i];
+            const vector& nei = neiSide_[wall.i];
+            const vector& dS =
+                wall.solidCell >= 0
+              ? dz.U[wall.solidCell]
+              : beyond[wall.facei - mesh.nInternalFaces()];
+
+            b[wall.fluidCell] += cmptMultiply
+            (
+                cmptDivide(cmptMultiply(own, nei), own + nei),
+                dS
+            );
+        }
+    }
+
+    // Tangential residual of slip patches, their faces eliminated
+    for (const label facei : fluid.ownSides)
+    {
+        if (geometry.kind(facei) == fluxGeometry::SLIP)
+        {
+            b[mesh.faceOwner()[facei]] +=
+                r.Uf[geometry.unknownIndex()[facei]];
+        }
+    }
+
+    for (direction k = 0; k < vector::nComponents; ++k)
+    {
+        if (mesh.solutionD()[k] > 0)
+        {
+            if (controls().getOrDefault("momentumPredictor", true))
+            {
+                fluidMomentum_.solve(k, b, dz.U);
+            }
+            else
+            {
+                for (const label celli : fluid.cells)
+                {
+                    dz.U[celli][k] = b[celli][k]/diag_[celli][k];
+                }
+            }
+        }
+    }
+
+    // Faces
+    const vectorField fluidBeyond(geometry.neighbourValues(dz.U));
+
+    for (const interfaceCompliance::wallFace& wall : compliance_.walls())
+    {
+        const bool ownerFluid =
+            wall.fluidCell >= 0
+         && mesh.faceOwner()[wall.facei] == wall.fluidCell;
+        const vector& fluidSide =
+            ownerFluid ? ownSide_[wall.i] : neiSide_[wall.i];
+        const vector& dF =
+            wall.fluidCell >= 0
+          ? dz.U[wall.fluidCell]
+          : fluidBeyond[wall.facei - mesh.nInternalFaces()];
+
+        dz.Uf[wall.i] += cmptDivide
+        (
+            cmptMultiply(fluidSide, dF),
+            ownSide_[wall.i] + neiSide_[wall.i]
+        );
+    }
+    for (const label facei : fluid.ownSides)
+    {
+        if (geometry.kind(facei) == fluxGeometry::SLIP)
+        {
+            const label i = geometry.unknownIndex()[facei];
+            const vector& n = geometry.n()[facei];
+            const vector& a = ownSide_[i];
+
+            vector du(dz.U[mesh.faceOwner()[facei]]);
+            if (a.x() > VSMALL)
+            {
+                du += cmptDivide(r.Uf[i], a);
+            }
+            dz.Uf[i] = du - (du & n)*n;
+        }
+    }
+}
+
+
+void Foam::sweep::addNonOrthogonal(scalarField& rp)
+{
+    const fluxGeometry& geometry = op_.geometry();
+    const fvMesh& mesh = geometry.mesh();
+    const labelUList& own = mesh.faceOwner();
+    const labelUList& nei = mesh.faceNeighbour();
+    const fluxGeometry::zone& fluid = geometry.cellsAndFaces(false);
+    const vectorField& n = geometry.n();
+
+    // D S.grad p' without the part along d that the matrix has
+    const auto flux = [&](const label facei, const vector& gradN)
+    {
+        const scalar w = geometry.w()[facei];
+        const vector grad((1 - w)*gradDp_[own[facei]] + w*gradN);
+        const vector d(geometry.dOwn()[facei] - geometry.dNei()[facei]);
+
+        return faceD_[facei]*(((d & n[facei])*n[facei] - d) & grad);
+    };
+
+    for (const label facei : fluid.internal)
+    {
+        const scalar f = flux(facei, gradDp_[nei[facei]]);
+        rp[own[facei]] += f;
+        rp[nei[facei]] -= f;
+    }
+
+    const vectorField gradN(geometry.neighbourValues(gradDp_));
+
+    for (const label facei : fluid.coupled)
+    {
+        rp[own[facei]] += flux(facei, gradN[facei - mesh.nInternalFaces()]);
+    }
+}
+
+
+void Foam::sweep::solvePressure(const scalarField& rp)
+{
+    const label nNonOrthogonal =
+        controls().getOrDefault<label>("nNonOrthogonalCorrectors", 0);
+
+    dp_ = 0;
+    pressure_->solve(rp, dp_);
+
+    for (label corr = 0; corr < nNonOrthogonal; ++corr)
+    {
+        op_.flux().gradP(dp_, gradDp_);
+        scalarField b(rp);
+        addNonOrthogonal(b);
+        pressure_->solve(b, dp_);
+    }
+
+    op_.flux().gradP(dp_, gradDp_);
+}
+
+
+void Foam::sweep::correct(unifiedVector& dz)
+{
+    const fluxGeometry& geometry = op_.geometry();
+    const fvMesh& mesh = geometry.mesh();
+    const Vector<label>& solved = mesh.solutionD();
+
+    for (const label celli : geometry.cellsAndFaces(false).cells)
+    {
+        dz.p[celli] += dp_[celli];
+
+        for (direction k = 0; k < vector::nComponents; ++k)
+        {
+            if (solved[k] > 0)
+            {
+                dz.U[celli][k] -= D_[celli]*gradDp_[celli][k];
+            }
+        }
+    }
+
+    const scalarField beyond(geometry.neighbourValues(dp_));
+
+    forAll(compliance_.walls(), walli)
+    {
+        const interfaceCompliance::wallFace& wall = compliance_.walls()[walli];
+        const scalar dp =
+            wall.fluidCell >= 0
+          ? dp_[wall.fluidCell]
+          : beyond[wall.facei - mesh.nInternalFaces()];
+
+        dz.Uf[wall.i] += compliance_.C()[walli]*dp*wall.n;
+
+        if (wall.solidCell >= 0)
+        {
+            dz.U[wall.solidCell] +=
+                compliance_.ofSolidCell(walli)*dp*wall.n;
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::sweep::sweep(unifiedOperator& op)
+:
+    op_(op),
+    fluidZone_(op.geometry(), false),
+    solidZone_(op.geometry(), true),
+    fluidMomentum_(op.flux(), fluidZone_, false),
+    solidMomentum_(op.flux(), solidZone_, true),
+    pressure_(),
+    compliance_(op.flux(), solidZone_),
+    ownSide_(op.geometry().unknownFaces().size(), Zero),
+    neiSide_(ownSide_),
+    diag_(op.geometry().mesh().nCells(), vector::one),
+    D_(op.geometry().mesh().nCells(), 0),
+    faceD_(op.geometry().mesh().nFaces(), 0),
+    solid_(op, solidMomentum_, ownSide_, neiSide_),
+    betaDt_(-1),
+    r_(op.geometry().mesh().nCells(), ownSide_.size()),
+    rp_(op.geometry().mesh().nCells(), 0),
+    dp_(rp_),
+    gradDp_(op.geometry().mesh().nCells(), Zero)
+{
+    if (fluidZone_.valid())
+    {
+        pressure_.reset(new zoneMatrix(fluidZone_, "p"));
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::sweep::update()
+{
+    const fvMesh& mesh = op_.geometry().mesh();
+
+    if (betaDt_ != op_.flux().betaDt())
+    {
+        setSides();
+
+        if (solidZone_.valid())
+        {
+            solidMomentum_.update
+            (
+                ownSide_,
+                neiSide_,
+                op_.source(),
+                mesh.solverDict("D")
+            );
+            solid_.update();
+            compliance_.update
+            (
+                solidMomentum_,
+                ownSide_,
+                neiSide_,
+                op_.source(),
+                mesh.solverDict("D")
+            );
+        }
+
+        for (const label celli : solidZone_.cells())
+        {
+            diag_[celli] = solidMomentum_.diag(celli);
+        }
+
+        betaDt_ = op_.flux().betaDt();
+    }
+
+    if (fluidZone_.valid())
+    {
+        fluidMomentum_.update
+        (
+            ownSide_,
+            neiSide_,
+            op_.source(),
+            mesh.solverDict("U")
+        );
+
+        for (const label celli : fluidZone_.cells())
+        {
+            diag_[celli] = fluidMomentum_.diag(celli);
+        }
+
+        setPressure();
+    }
+}
+
+
+void Foam::sweep::apply(const unifiedVector& r, unifiedVector& dz)
+{
+    const fluxGeometry& geometry = op_.geometry();
+
+    dz.setZero();
+
+    if (solidZone_.valid())
+    {
+        solid_.solve(r, controls().subOrEmptyDict("krylov"), dz);
+    }
+
+    if (!fluidZone_.valid())
+    {
+        return;
+    }
+
+    solveFluid(r, dz);
+
+    const label nCorrectors =
+        controls().getOrDefault<label>("nCorrectors", 2);
+
+    for (label corr = 0; corr < nCorrectors; ++corr)
+    {
+        if (corr > 0)
+        {
+            // What the pressure has left in the fluid's momentum
+            op_.apply(dz, r_);
+
+            for (const label celli : geometry.cellsAndFaces(false).cells)
+            {
+                dz.U[celli] +=
+                    cmptDivide(r.U[celli] - r_.U[celli], diag_[celli]);
+            }
+        }
+
+        op_.applyContinuity(dz, rp_);
+        rp_ = r.p - rp_;
+
+        solvePressure(rp_);
+        correct(dz);
+    }
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,562 @@
+/*---------------------------------------------------------------------------*\
+  umfsiFoam: fluid-structure interaction with one momentum equation
+-------------------------------------------------------------------------------
+License
+    This file is part of umfsiFoam.
+
+    umfsiFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by
+    the Free Software Foundation, either version 3 of the License, or
+    (at your option) any later version.
+
+    umfsiFoam is distributed in the hope that it will be useful, but WITHOUT
+    ANY WARRANTY; without even the implied warranty of MERCHANTABILITY or
+    FITNESS FOR A PARTICULAR PURPOSE.  See the GNU General Public License
+    for more details.
+
+    You should have received a copy of the GNU General Public License
+    along with umfsiFoam.  If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "unifiedSystem.H"
+#include "faceValue.H"
+#include "basicSymmetryFvPatchField.H"
+#include "solidTractionFvPatchVectorField.H"
+#include "calculatedFvPatchFields.H"
+#include "localIOdictionary.H"
+#include "uniformDimensionedFields.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+const Foam::wordList Foam::unifiedSystem::blockNames
+({
+    "fluidMomentum", "solidMomentum", "interfaceTraction", "continuity"
+});
+
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+    //- A field of the time directory
+    static IOobject fieldIO
+    (
+        const word& name,
+        const fvMesh& mesh,
+        const IOobject::readOption read
+    )
+    {
+        return IOobject
+        (
+            name,
+            mesh.time().timeName(),
+            mesh,
+            read,
+            IOobject::AUTO_WRITE
+        );
+    }
+
+
+    //- Fail on a patch condition, naming file and patch
+    template<class FieldType>
+    static void refusePatch
+    (
+        const FieldType& field,
+        const label patchi,
+        const string& why,
+        const string& choices
+    )
+    {
+        const localIOdictionary file
+        (
+            fieldIO(field.name(), field.mesh(), IOobject::MUST_READ),
+            FieldType::typeName
+        );
+        const word& patch = field.mesh().boundary()[patchi].name();
+
+        FatalIOErrorInFunction
+        (
+            file.subDict("boundaryField").optionalSubDict(patch)
+        )
+            << "Entry 'type' of patch " << patch << " in field "
+            << field.name() << " is " << field.boundaryField()[patchi].type()
+            << ": " << why.c_str() << nl
+            << "    Valid choices: " << choices.c_str()
+            << exit(FatalIOError);
+    }
+
+
+    //- Fail on wrong dimensions
+    template<class FieldType>
+    static void checkDimensions
+    (
+        const FieldType& field,
+        const dimensionSet& dimensions,
+        const string& choices
+    )
+    {
+        if (field.dimensions() != dimensions)
+        {
+            const localIOdictionary file
+            (
+                fieldIO(field.name(), field.mesh(), IOobject::MUST_READ),
+                FieldType::typeName
+            );
+
+            FatalIOErrorInFunction(file)
+                << "Entry 'dimensions' of field " << field.name() << " is "
+                << field.dimensions() << nl
+                << "    Valid choices: " << choices.c_str()
+                << exit(FatalIOError);
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::unifiedSystem::readControls()
+{
+    const dictionary& pimple = mesh_.solutionDict().subDict("PIMPLE");
+
+    nOuterCorrectors_ = pimple.getOrDefault<label>("nOuterCorrectors", 1);
+    if (nOuterCorrectors_ < 1)
+    {
+        FatalIOErrorInFunction(pimple)
+            << "Entry 'nOuterCorrectors' is " << nOuterCorrectors_ << nl
+            << "    Valid choices: 1 and above"
+            << exit(FatalIOError);
+    }
+
+    const word action(pimple.getOrDefault<word>("onNonConvergence", "warn"));
+    if (action != "warn" && action != "stop")
+    {
+        FatalIOErrorInFunction(pimple)
+            << "Entry 'onNonConvergence' is " << action << nl
+            << "    Valid choices: warn stop"
+            << exit(FatalIOError);
+    }
+    stopIfNotConverged_ = (action == "stop");
+
+    const dictionary& control = pimple.subOrEmptyDict("residualControl");
+
+    for (const entry& e : control)
+    {
+        if (!blockNames.found(e.keyword()))
+        {
+            FatalIOErrorInFunction(control)
+                << "Unknown entry '" << e.keyword() << "'" << nl
+                << "    Valid choices: "
+                << flatOutput(blockNames)
+                << exit(FatalIOError);
+        }
+    }
+
+    forAll(tolerance_, i)
+    {
+        tolerance_[i] = control.getOrDefault<scalar>(blockNames[i], 1e-4);
+
+        if (!(tolerance_[i] > 0 && tolerance_[i] < 1))
+        {
+            FatalIOErrorInFunction(control)
+                << "Entry '" << blockNames[i] << "' is " << tolerance_[i]
+                << nl << "    Valid choices: between 0 and 1"
+                << exit(FatalIOError);
+        }
+    }
+}
+
+
+void Foam::unifiedSystem::checkPatches() const
+{
+    checkDimensions(U_, dimVelocity, "[0 1 -1 0 0 0 0]");
+    checkDimensions
+    (
+        p_,
+        dimPressure,
+        "[1 -1 -2 0 0 0 0]: the pressure in Pa. Kinematic pressure, as in"
+        " pimpleFoam, must be multiplied by the density"
+    );
+
+    forAll(mesh_.boundary(), patchi)
+    {
+        const fvPatchVectorField& U = U_.boundaryField()[patchi];
+        const fvPatchScalarField& p = p_.boundaryField()[patchi];
+
+        if (U.coupled() || U.empty())
+        {
+            continue;
+        }
+
+        bool touches[2] = { false, false };
+        for (const label celli : U.patch().faceCells())
+        {
+            touches[materials_.solid(celli)] = true;
+        }
+        const bool touchesFluid = returnReduce(touches[false], orOp<bool>());
+        const bool touchesSolid = returnReduce(touches[true], orOp<bool>());
+
+        const bool traction = isA<solidTractionFvPatchVectorField>(U);
+        const bool slips = isA<basicSymmetryFvPatchField<vector>>(U);
+
+        if (touchesSolid && !(traction || slips || U.fixesValue()))
+        {
+            refusePatch
+            (
+                U_,
+                patchi,
+                "the patch touches a solid, and this type would be a free"
+                " surface without saying so",
+                "fixedValue and its kin (clamped or driven), slip,"
+                " symmetryPlane or symmetry (roller), solidTraction (given"
+                " traction; zero is a free surface)"
+            );
+        }
+
+        if (touchesFluid && traction)
+        {
+            refusePatch
+            (
+                U_,
+                patchi,
+                "the patch touches a fluid",
+                "the conditions of pimpleFoam for a fluid, for instance"
+                " noSlip, fixedValue, zeroGradient, inletOutlet"
+            );
+        }
+
+        if (touchesFluid && isA<calculatedFvPatchField<vector>>(U))
+        {
+            refusePatch
+            (
+                U_,
+                patchi,
+                "the patch touches a fluid, and this type gives no condition",
+                "the conditions of pimpleFoam for a fluid, for instance"
+                " noSlip, fixedValue, zeroGradient, inletOutlet"
+            );
+        }
+
+        if (touchesFluid && isA<calculatedFvPatchField<scalar>>(p))
+        {
+            refusePatch
+            (
+                p_,
+                patchi,
+                "the patch touches a fluid, and this type gives no condition",
+                "the conditions of pimpleFoam, p in Pa, for instance"
+                " fixedValue, totalPressure, zeroGradient, fixedFluxPressure"
+            );
+        }
+    }
+}
+
+
+void Foam::unifiedSystem::startFaces(const bool haveUf, const bool haveDf)
+{
+    const fluxGeometry& geometry = flux_.geometry();
+    const labelUList& own = mesh_.faceOwner();
+    const vectorField UN(geometry.neighbourValues(U_.primitiveField()));
+
+    for (const label facei : geometry.unknownFaces())
+    {
+        if (haveUf)
+        {
+            break;
+        }
+
+        if (geometry.kind(facei) == fluxGeometry::INTERFACE)
+        {
+            const scalar hP = geometry.hOwn()[facei];
+            const scalar hN = geometry.hNei()[facei];
+            const vector& uN =
+                mesh_.isInternalFace(facei)
+              ? U_[mesh_.faceNeighbour()[facei]]
+              : UN[facei - mesh_.nInternalFaces()];
+
+            faceValue(Uf_, facei) = (hN*U_[own[facei]] + hP*uN)/(hP + hN);
+        }
+        else
+        {
+            const label patchi = mesh_.boundaryMesh().whichPatch(facei);
+            faceValue(Uf_, facei) =
+                U_.boundaryField()[patchi]
+                [
+                    facei - mesh_.boundaryMesh()[patchi].start()
+                ];
+        }
+    }
+
+    if (!haveDf)
+    {
+        extrapolateDisplacement();
+    }
+}
+
+
+void Foam::unifiedSystem::extrapolateDisplacement()
+{
+    const fluxGeometry& geometry = flux_.geometry();
+    const fluxGeometry::zone& solid = geometry.cellsAndFaces(true);
+    const labelUList& own = mesh_.faceOwner();
+    const labelUList& nei = mesh_.faceNeighbour();
+    const label nInternal = mesh_.nInternalFaces();
+
+    vectorField df(mesh_.nFaces(), Zero);
+    vectorField weight(mesh_.nFaces(), Zero);
+
+    for (const label facei : solid.ownSides)
+    {
+        if (geometry.kind(facei) == fluxGeometry::FIXED)
+        {
+            const label patchi = mesh_.boundaryMesh().whichPatch(facei);
+            df[facei] =
+                D_.boundaryField()[patchi]
+                [
+                    facei - mesh_.boundaryMesh()[patchi].start()
+                ];
+        }
+        weight[facei] += vector::one;
+    }
+    for (const label facei : solid.neiSides)
+    {
+        weight[facei] += vector::one;
+    }
+
+    // Linear continuation from the cells; the gradient depends on the face
+    // values, each pass halves the error
+    gaussGradient<vector> gradient(geometry, true);
+    tensorField G(mesh_.nCells(), Zero);
+    const vectorField& D = D_.primitiveField();
+
+    for (label pass = 0; pass < 40; ++pass)
+    {
+        vectorField sum(mesh_.nFaces(), Zero);
+
+        gradient.faceValues(D, df);
+        gradient.cellGradients(df, G);
+
+        for (const label facei : solid.ownSides)
+        {
+            sum[facei] +=
+                D[own[facei]] + (geometry.dOwn()[facei] & G[own[facei]]);
+        }
+        for (const label facei : solid.neiSides)
+        {
+            sum[facei] +=
+                D[nei[facei]] + (geometry.dNei()[facei] & G[nei[facei]]);
+        }
+
+        const vectorField sumBeyond(geometry.neighbourSides(sum));
+        const vectorField weightBeyond(geometry.neighbourSides(weight));
+
+        for (const label facei : geometry.unknownFaces())
+        {
+            vector total(sum[facei]);
+            scalar count = weight[facei].x();
+
+            if (geometry.coupled(facei))
+            {
+                total += sumBeyond[facei - nInternal];
+                count += weightBeyond[facei - nInternal].x();
+            }
+
+            if (count > 0)
+            {
+                df[facei] = total/count;
+            }
+
+            if (geometry.kind(facei) == fluxGeometry::SLIP)
+            {
+                const vector& n = geometry.n()[facei];
+                df[facei] -= (df[facei] & n)*n;
+            }
+        }
+    }
+
+    for (const label facei : solid.ownSides)
+    {
+        faceValue(Df_, facei) = df[facei];
+    }
+    for (const label facei : geometry.unknownFaces())
+    {
+        faceValue(Df_, facei) = df[facei];
+    }
+}
+
+
+void Foam::unifiedSystem::fieldsToUnknowns
+(
+    const volVectorField& U,
+    const surfaceVectorField& Uf,
+    const volScalarField& p,
+    unifiedVector& z
+) const
+{
+    z.U = U.primitiveField();
+    z.p = p.primitiveField();
+
+    forAll(z.Uf, i)
+    {
+        z.Uf[i] = faceValue(Uf, flux_.geometry().unknownFaces()[i]);
+    }
+}
+
+
+void Foam::unifiedSystem::unknownsToFields()
+{
+    U_.primitiveFieldRef() = z_.U;
+    p_.primitiveFieldRef() = z_.p;
+
+    forAll(z_.Uf, i)
+    {
+        faceValue(Uf_, flux_.geometry().unknownFaces()[i]) = z_.Uf[i];
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::unifiedSystem::unifiedSystem(fvMesh& mesh)
+:
+    mesh_(mesh),
+    p_(fieldIO("p", mesh, IOobject::MUST_READ), mesh),
+    U_(fieldIO("U", mesh, IOobject::MUST_READ), mesh),
+    materials_(mesh),
+    D_
+    (
+        fieldIO("D", mesh, IOobject::READ_IF_PRESENT),
+        mesh,
+        dimensionedVector("D", dimLength, Zero)
+    ),
+    sigma_
+    (
+        fieldIO("sigma", mesh, IOobject::NO_READ),
+        mesh,
+        dimensionedSymmTensor("sigma", dimPressure, Zero)
+    ),
+    phi_
+    (
+        fieldIO("phi", mesh, IOobject::READ_IF_PRESENT),
+        mesh,
+        dimensionedScalar("phi", dimVelocity*dimArea, 0)
+    ),
+    Uf_
+    (
+        fieldIO("Uf", mesh, IOobject::READ_IF_PRESENT),
+        mesh,
+        dimensionedVector("Uf", dimVelocity, Zero)
+    ),
+    Df_
+    (
+        fieldIO("Df", mesh, IOobject::READ_IF_PRESENT),
+        mesh,
+        dimensionedVector("Df", dimLength, Zero)
+    ),
+    continuityError_
+    (
+        fieldIO("continuityError", mesh, IOobject::READ_IF_PRESENT),
+        mesh,
+        dimensionedScalar("continuityError", dimless, 0)
+    ),
+    rho_
+    (
+        fieldIO("rho", mesh, IOobject::NO_READ),
+        mesh,
+        dimensionedScalar("rho", dimDensity, 0)
+    ),
+    g_(Zero),
+    fvOptions_(fv::options::New(mesh)),
+    flux_(materials_, U_, p_),
+    op_(flux_),
+    sweep_(op_),
+    krylov_
+    (
+        mesh.solutionDict().subDict("PIMPLE").subOrEmptyDict("krylov")
+    ),
+    z_(mesh.nCells(), flux_.geometry().unknownFaces().size()),
+    zOld_(z_),
+    r_(z_),
+    haveOldOld_(false),
+    tolerance_(nBlocks, 0.0),
+    nOuterCorrectors_(1),
+    stopIfNotConverged_(false),
+    picard_(0),
+    nSweeps_(0),
+    krylovConverged_(true),
+    relative_(nBlocks, 0.0)
+{
+    readControls();
+    checkPatches();
+
+    rho_.writeOpt() = IOobject::NO_WRITE;
+    forAll(rho_, celli)
+    {
+        rho_[celli] = materials_[celli].rho();
+
+        // No pressure in a solid
+        if (materials_.solid(celli))
+        {
+            p_[celli] = 0;
+        }
+    }
+    rho_.correctBoundaryConditions();
+
+    const IOobject gIO
+    (
+        "g",
+        mesh.time().constant(),
+        mesh,
+        IOobject::READ_IF_PRESENT,
+        IOobject::NO_WRITE
+    );
+    if (IOobject(gIO).typeHeaderOk<uniformDimensionedVectorField>(true))
+    {
+        g_ = uniformDimensionedVectorField
+        (
+            IOobject
+            (
+                "g",
+                mesh.time().constant(),
+                mesh,
+                IOobject::MUST_READ,
+                IOobject::NO_WRITE,
+                false
+            )
+        ).value();
+    }
+
+    const bool haveUf = Uf_.nOldTimes() > 0;
+    const bool haveDf = Df_.nOldTimes() > 0;
+    const bool havePhi = phi_.nOldTimes() > 0;
+
+    // The previous level is read with the fields at a restart
+    haveOldOld_ = haveUf && haveDf && havePhi;
+
+    startFaces(haveUf, haveDf);
+
+    known_.U.setSize(mesh.nCells(), Zero);
+    known_.D.cells = known_.U;
+    known_.D.faces.setSize(mesh.nFaces(), Zero);
+    known_.volumeError.setSize(mesh.nCells(), 0);
+    known_.force = known_.U;
+
+    fieldsToUnknowns(U_, Uf_, p_, z_);
+
+    if (!havePhi)
+    {
+        flux_.setBetaDt(mesh.time().deltaTValue());
+        flux_.updateBoundary(U_, p_);
+        computeFlux(z_);
+    }
+
+    // Fail on unknown schemes and solvers before the first step
+    flux_.setBetaDt(mesh.time().deltaTValue());
+    flux_.updateBoundary(U_, p_);
+    flux_.setConvection(phi_, U_);
+    sweep_.update();
+}
+
+
+// ************************************************************************* //

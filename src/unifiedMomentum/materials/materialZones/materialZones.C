@@ -1,0 +1,270 @@
+/*---------------------------------------------------------------------------*\
+  umfsiFoam: fluid-structure interaction with one momentum equation
+-------------------------------------------------------------------------------
+License
+    This file is part of umfsiFoam.
+
+    umfsiFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by
+    the Free Software Foundation, either version 3 of the License, or
+    (at your option) any later version.
+
+    umfsiFoam is distributed in the hope that it will be useful, but WITHOUT
+    ANY WARRANTY; without even the implied warranty of MERCHANTABILITY or
+    FITNESS FOR A PARTICULAR PURPOSE.  See the GNU General Public License
+    for more details.
+
+    You should have received a copy of the GNU General Public License
+    along with umfsiFoam.  If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "materialZones.H"
+#include "FlatOutput.H"
+#include "syncTools.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::material::kinematicsType Foam::materialZones::readKinematics() const
+{
+    const material::kinematicsType kinematics =
+        material::kinematicsNames.getOrDefault
+        (
+            "kinematics",
+            *this,
+            material::PLANE_STRAIN
+        );
+
+    if
+    (
+        kinematics == material::PLANE_STRESS
+     && (mesh_.nSolutionD() != 2 || mesh_.solutionD().z() > 0)
+    )
+    {
+        FatalIOErrorInFunction(*this)
+            << "Entry 'kinematics' is planeStress, but the mesh is not"
+            << " two-dimensional in x and y: it needs patches of type empty"
+            << " normal to z" << nl
+            << "    Valid choices: planeStrain"
+            << exit(FatalIOError);
+    }
+
+    return kinematics;
+}
+
+
+void Foam::materialZones::readMaterials()
+{
+    for (const entry& e : *this)
+    {
+        if (e.isDict())
+        {
+            materials_.append
+            (
+                material::New(e.keyword(), e.dict(), kinematics_)
+            );
+        }
+        else if (e.keyword() != "kinematics")
+        {
+            FatalIOErrorInFunction(*this)
+                << "Unknown entry '" << e.keyword() << "'" << nl
+                << "    Valid choices: kinematics, or a dictionary that"
+                << " describes a material"
+                << exit(FatalIOError);
+        }
+    }
+
+    if (materials_.empty())
+    {
+        FatalIOErrorInFunction(*this)
+            << "No material given" << nl
+            << "    Valid choices: one dictionary for each material, with"
+            << " type, cellZones, rho"
+            << exit(FatalIOError);
+    }
+}
+
+
+void Foam::materialZones::assignCells()
+{
+    cellMaterial_ = -1;
+
+    label nTwice = 0;
+    label twice[2] = { -1, -1 };
+
+    forAll(materials_, materiali)
+    {
+        const material& m = materials_[materiali];
+
+        for (const word& zoneName : m.cellZones())
+        {
+            const label zonei = mesh_.cellZones().findZoneID(zoneName);
+
+            if (zonei < 0)
+            {
+                FatalIOErrorInFunction(subDict(m.name()))
+                    << "Entry 'cellZones' of material " << m.name()
+                    << " names zone " << zoneName
+                    << ", which the mesh does not have" << nl
+                    << "    Valid choices: "
+                    << flatOutput(mesh_.cellZones().names())
+                    << exit(FatalIOError);
+            }
+
+            const labelList& cells = mesh_.cellZones()[zonei];
+
+            if (returnReduce(cells.size(), sumOp<label>()) == 0)
+            {
+                FatalIOErrorInFunction(subDict(m.name()))
+                    << "Entry 'cellZones' of material " << m.name()
+                    << " names zone " << zoneName << ", which is empty" << nl
+                    << "    Valid choices: zones with cells, of "
+                    << flatOutput(mesh_.cellZones().names())
+                    << exit(FatalIOError);
+            }
+
+            for (const label celli : cells)
+            {
+                if (cellMaterial_[celli] >= 0)
+                {
+                    ++nTwice;
+                    twice[0] = cellMaterial_[celli];
+                    twice[1] = materiali;
+                }
+                cellMaterial_[celli] = materiali;
+            }
+        }
+    }
+
+    reduce(nTwice, sumOp<label>());
+    reduce(twice[0], maxOp<label>());
+    reduce(twice[1], maxOp<label>());
+
+    if (nTwice)
+    {
+        FatalIOErrorInFunction(*this)
+            << nTwice << " cells belong to more than one zone in the entries"
+            << " 'cellZones', for instance of materials "
+            << materials_[twice[0]].name() << " and "
+            << materials_[twice[1]].name() << nl
+            << "    Valid choices: zones of the mesh without common cells, of "
+            << flatOutput(mesh_.cellZones().names())
+            << exit(FatalIOError);
+    }
+
+    label nNone = 0;
+    for (const label materiali : cellMaterial_)
+    {
+        if (materiali < 0)
+        {
+            ++nNone;
+        }
+    }
+    reduce(nNone, sumOp<label>());
+
+    if (nNone)
+    {
+        FatalIOErrorInFunction(*this)
+            << nNone << " of "
+            << returnReduce(mesh_.nCells(), sumOp<label>())
+            << " cells are in no zone named by an entry 'cellZones'" << nl
+            << "    Valid choices: zones that cover the mesh, of "
+            << flatOutput(mesh_.cellZones().names())
+            << exit(FatalIOError);
+    }
+}
+
+
+void Foam::materialZones::checkFluidsApart() const
+{
+    label nTouching = 0;
+
+    const labelList nbr(boundaryNeighbour());
+
+    for (label facei = 0; facei < mesh_.nFaces(); ++facei)
+    {
+        const label own = cellMaterial_[mesh_.faceOwner()[facei]];
+        const label nei =
+            mesh_.isInternalFace(facei)
+          ? cellMaterial_[mesh_.faceNeighbour()[facei]]
+          : nbr[facei - mesh_.nInternalFaces()];
+
+        if (own != nei && !materials_[own].solid() && !materials_[nei].solid())
+        {
+            ++nTouching;
+        }
+    }
+
+    reduce(nTouching, sumOp<label>());
+
+    if (nTouching)
+    {
+        FatalIOErrorInFunction(*this)
+            << "Two different fluids touch each other at " << nTouching
+            << " faces (counted from both sides of a processor boundary)" << nl
+            << "    Valid choices: one fluid, or fluids separated by a solid"
+            << exit(FatalIOError);
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::materialZones::materialZones(const fvMesh& mesh)
+:
+    IOdictionary
+    (
+        IOobject
+        (
+            "materialProperties",
+            mesh.time().constant(),
+            mesh,
+            IOobject::MUST_READ,
+            IOobject::NO_WRITE
+        )
+    ),
+    mesh_(mesh),
+    kinematics_(readKinematics()),
+    materials_(),
+    cellMaterial_(mesh.nCells(), -1)
+{
+    readMaterials();
+    assignCells();
+    checkFluidsApart();
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::labelList Foam::materialZones::cells(const bool isSolid) const
+{
+    DynamicList<label> selected(mesh_.nCells());
+
+    forAll(cellMaterial_, celli)
+    {
+        if (solid(celli) == isSolid)
+        {
+            selected.append(celli);
+        }
+    }
+
+    return labelList(std::move(selected));
+}
+
+
+Foam::labelList Foam::materialZones::boundaryNeighbour() const
+{
+    labelList nbr(mesh_.nFaces() - mesh_.nInternalFaces());
+
+    forAll(nbr, i)
+    {
+        nbr[i] = cellMaterial_[mesh_.faceOwner()[mesh_.nInternalFaces() + i]];
+    }
+
+    syncTools::swapBoundaryFaceList(mesh_, nbr);
+
+    return nbr;
+}
+
+
+// ************************************************************************* //

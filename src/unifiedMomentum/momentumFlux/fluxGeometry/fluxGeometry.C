@@ -1,0 +1,400 @@
+/*---------------------------------------------------------------------------*\
+  umfsiFoam: fluid-structure interaction with one momentum equation
+-------------------------------------------------------------------------------
+License
+    This file is part of umfsiFoam.
+
+    umfsiFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by
+    the Free Software Foundation, either version 3 of the License, or
+    (at your option) any later version.
+
+    umfsiFoam is distributed in the hope that it will be useful, but WITHOUT
+    ANY WARRANTY; without even the implied warranty of MERCHANTABILITY or
+    FITNESS FOR A PARTICULAR PURPOSE.  See the GNU General Public License
+    for more details.
+
+    You should have received a copy of the GNU General Public License
+    along with umfsiFoam.  If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "fluxGeometry.H"
+#include "basicSymmetryFvPatchField.H"
+#include "emptyFvPatch.H"
+#include "wedgeFvPatch.H"
+#include "solidTractionFvPatchVectorField.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::fluxGeometry::faceKind Foam::fluxGeometry::patchKind
+(
+    const fvPatchVectorField& U
+) const
+{
+    const fvPatch& patch = U.patch();
+
+    if (isA<emptyFvPatch>(patch))
+    {
+        return IGNORED;
+    }
+    else if (isA<wedgeFvPatch>(patch))
+    {
+        FatalErrorInFunction
+            << "Patch " << patch.name() << " is of type wedge" << nl
+            << "    Valid choices: any other type; an axisymmetric case is"
+            << " solved as a 3-D sector with symmetryPlane sides"
+            << exit(FatalError);
+    }
+    else if (isA<solidTractionFvPatchVectorField>(U))
+    {
+        return TRACTION;
+    }
+    else if (isA<basicSymmetryFvPatchField<vector>>(U))
+    {
+        return SLIP;
+    }
+
+    return FIXED;
+}
+
+
+void Foam::fluxGeometry::setKinds(const volVectorField& U)
+{
+    const label nInternal = mesh_.nInternalFaces();
+    const labelUList& own = mesh_.faceOwner();
+    const labelUList& nei = mesh_.faceNeighbour();
+
+    for (label facei = 0; facei < nInternal; ++facei)
+    {
+        kind_[facei] =
+            materials_.materialIndex(own[facei])
+         == materials_.materialIndex(nei[facei])
+          ? INSIDE
+          : INTERFACE;
+    }
+
+    const labelList beyond(materials_.boundaryNeighbour());
+
+    forAll(U.boundaryField(), patchi)
+    {
+        const fvPatchVectorField& Up = U.boundaryField()[patchi];
+        const polyPatch& pp = Up.patch().patch();
+        const faceKind kind = Up.coupled() ? INSIDE : patchKind(Up);
+
+        forAll(pp, i)
+        {
+            const label facei = pp.start() + i;
+
+            kind_[facei] =
+                Up.coupled()
+             && materials_.materialIndex(own[facei])
+             != beyond[facei - nInternal]
+              ? INTERFACE
+              : kind;
+        }
+
+        anyCoupled_ = anyCoupled_ || Up.coupled();
+    }
+
+    reduce(anyCoupled_, orOp<bool>());
+}
+
+
+void Foam::fluxGeometry::setLengths()
+{
+    const vectorField& Cf = mesh_.faceCentres();
+    const vectorField& C = mesh_.cellCentres();
+    const vectorField& Sf = mesh_.faceAreas();
+    const labelUList& own = mesh_.faceOwner();
+
+    // A concave cell may see a face from behind: keep its distance positive
+    const scalar hMin = 0.05;
+
+    forAll(kind_, facei)
+    {
+        n_[facei] = Sf[facei]/mag(Sf[facei]);
+        dOwn_[facei] = Cf[facei] - C[own[facei]];
+        hOwn_[facei] =
+            max(n_[facei] & dOwn_[facei], hMin*mag(dOwn_[facei]));
+    }
+
+    vectorField dBeyond
+    (
+        SubList<vector>
+        (
+            dOwn_,
+            mesh_.nFaces() - mesh_.nInternalFaces(),
+            mesh_.nInternalFaces()
+        )
+    );
+    swap(dBeyond);
+
+    forAll(kind_, facei)
+    {
+        if (mesh_.isInternalFace(facei))
+        {
+            dNei_[facei] = Cf[facei] - C[mesh_.faceNeighbour()[facei]];
+        }
+        else if (coupled(facei))
+        {
+            dNei_[facei] = dBeyond[facei - mesh_.nInternalFaces()];
+        }
+        else
+        {
+            continue;
+        }
+
+        hNei_[facei] =
+            max(-(n_[facei] & dNei_[facei]), hMin*mag(dNei_[facei]));
+
+        if (kind_[facei] == INSIDE)
+        {
+            w_[facei] = hNei_[facei]/(hOwn_[facei] + hNei_[facei]);
+        }
+    }
+}
+
+
+void Foam::fluxGeometry::setWarp()
+{
+    const pointField& points = mesh_.points();
+    const vectorField& Cf = mesh_.faceCentres();
+    const scalarField magSf(mag(mesh_.faceAreas()));
+
+    scalar maxWarp = 0;
+
+    forAll(kind_, facei)
+    {
+        const face& f = mesh_.faces()[facei];
+
+        if (kind_[facei] != INSIDE || f.size() == 3)
+        {
+            continue;
+        }
+
+        // The triangles of primitiveMesh::faceCentres
+        const point centre(average(f.points(points)));
+
+        forAll(f, fp)
+        {
+            const point& a = points[f[fp]];
+            const point& b = points[f.nextLabel(fp)];
+
+            const vector S(0.5*((b - a)^(centre - a)));
+            const vector x((a + b + centre)/3 - Cf[facei]);
+
+            warp_[facei] += S*x;
+        }
+
+        maxWarp = max(maxWarp, mag(warp_[facei])/pow(magSf[facei], 1.5));
+    }
+
+    warped_ = returnReduce(maxWarp, maxOp<scalar>()) > 1e-9;
+
+    if (!warped_)
+    {
+        warp_.clear();
+        return;
+    }
+
+    forAll(kind_, facei)
+    {
+        const scalar dV = tr(warp_[facei])/3;
+
+        V_[mesh_.faceOwner()[facei]] += dV;
+
+        if (mesh_.isInternalFace(facei))
+        {
+            V_[mesh_.faceNeighbour()[facei]] -= dV;
+        }
+    }
+}
+
+
+void Foam::fluxGeometry::setSkewness()
+{
+    const vectorField& Sf = mesh_.faceAreas();
+    const labelUList& own = mesh_.faceOwner();
+
+    scalar maxSkew = 0;
+    tensorField B(mesh_.nCells(), Zero);
+
+    // Directions that empty patches remove
+    tensor removed(Zero);
+    for (direction cmpt = 0; cmpt < vector::nComponents; ++cmpt)
+    {
+        if (mesh_.solutionD()[cmpt] < 0)
+        {
+            removed(cmpt, cmpt) = 1;
+        }
+    }
+
+    forAll(kind_, facei)
+    {
+        if (kind_[facei] == IGNORED)
+        {
+            continue;
+        }
+
+        if (kind_[facei] == INSIDE)
+        {
+            skew_[facei] =
+                w_[facei]*dOwn_[facei] + (1 - w_[facei])*dNei_[facei];
+
+            maxSkew = max
+            (
+                maxSkew,
+                mag(skew_[facei])/mag(dOwn_[facei] - dNei_[facei])
+            );
+        }
+
+        // Positions are taken from the cell's centre: less round-off
+        B[own[facei]] += Sf[facei]*(dOwn_[facei] - skew_[facei]);
+
+        if (mesh_.isInternalFace(facei))
+        {
+            B[mesh_.faceNeighbour()[facei]] -=
+                Sf[facei]*(dNei_[facei] - skew_[facei]);
+        }
+    }
+
+    skewed_ = returnReduce(maxSkew, maxOp<scalar>()) > 1e-9 || warped_;
+
+    if (!skewed_)
+    {
+        skew_.clear();
+        return;
+    }
+
+    invB_.setSize(mesh_.nCells());
+    forAll(B, celli)
+    {
+        invB_[celli] = inv(B[celli]/V_[celli] + removed);
+    }
+}
+
+
+void Foam::fluxGeometry::setZone(zone& z, const bool solid) const
+{
+    z.cells = materials_.cells(solid);
+
+    DynamicList<label> internal, coupledFaces, ownSides, neiSides;
+
+    forAll(kind_, facei)
+    {
+        const bool own = materials_.solid(mesh_.faceOwner()[facei]) == solid;
+        const bool nei =
+            mesh_.isInternalFace(facei)
+         && materials_.solid(mesh_.faceNeighbour()[facei]) == solid;
+
+        if (kind_[facei] == IGNORED)
+        {
+            continue;
+        }
+        else if (kind_[facei] != INSIDE)
+        {
+            if (own)
+            {
+                ownSides.append(facei);
+            }
+            if (nei)
+            {
+                neiSides.append(facei);
+            }
+        }
+        else if (own)
+        {
+            (mesh_.isInternalFace(facei) ? internal : coupledFaces)
+                .append(facei);
+        }
+    }
+
+    z.internal.transfer(internal);
+    z.coupled.transfer(coupledFaces);
+    z.ownSides.transfer(ownSides);
+    z.neiSides.transfer(neiSides);
+}
+
+
+void Foam::fluxGeometry::setUnknowns()
+{
+    DynamicList<label> faces;
+
+    forAll(kind_, facei)
+    {
+        if
+        (
+            kind_[facei] == INTERFACE
+         || kind_[facei] == TRACTION
+         || kind_[facei] == SLIP
+        )
+        {
+            unknownIndex_[facei] = faces.size();
+            faces.append(facei);
+        }
+    }
+
+    unknownFaces_.transfer(faces);
+    unknownWeight_.setSize(unknownFaces_.size(), 1);
+
+    forAll(unknownFaces_, i)
+    {
+        if (coupled(unknownFaces_[i]))
+        {
+            unknownWeight_[i] = 0.5;
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fluxGeometry::fluxGeometry
+(
+    const materialZones& materials,
+    const volVectorField& U
+)
+:
+    mesh_(U.mesh()),
+    materials_(materials),
+    kind_(mesh_.nFaces(), IGNORED),
+    anyCoupled_(false),
+    skewed_(false),
+    warped_(false),
+    w_(mesh_.nFaces(), 0),
+    n_(mesh_.nFaces(), Zero),
+    dOwn_(mesh_.nFaces(), Zero),
+    dNei_(mesh_.nFaces(), Zero),
+    hOwn_(mesh_.nFaces(), 0),
+    hNei_(mesh_.nFaces(), 0),
+    skew_(mesh_.nFaces(), Zero),
+    warp_(mesh_.nFaces(), Zero),
+    V_(mesh_.cellVolumes()),
+    invB_(),
+    unknownIndex_(mesh_.nFaces(), -1)
+{
+    setKinds(U);
+    setLengths();
+    setWarp();
+    setSkewness();
+    setZone(zones_[false], false);
+    setZone(zones_[true], true);
+    setUnknowns();
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::fluxGeometry::coupled(const label facei) const
+{
+    return
+        !mesh_.isInternalFace(facei)
+     && mesh_.boundaryMesh()
+        [
+            mesh_.boundaryMesh().whichPatch(facei)
+        ].coupled();
+}
+
+
+// ************************************************************************* //

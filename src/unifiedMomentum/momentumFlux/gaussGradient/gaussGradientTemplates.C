@@ -1,0 +1,206 @@
+/*---------------------------------------------------------------------------*\
+  umfsiFoam: fluid-structure interaction with one momentum equation
+-------------------------------------------------------------------------------
+License
+    This file is part of umfsiFoam.
+
+    umfsiFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by
+    the Free Software Foundation, either version 3 of the License, or
+    (at your option) any later version.
+
+    umfsiFoam is distributed in the hope that it will be useful, but WITHOUT
+    ANY WARRANTY; without even the implied warranty of MERCHANTABILITY or
+    FITNESS FOR A PARTICULAR PURPOSE.  See the GNU General Public License
+    for more details.
+
+    You should have received a copy of the GNU General Public License
+    along with umfsiFoam.  If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "gaussGradient.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+template<class Type>
+void Foam::gaussGradient<Type>::sumFaces
+(
+    const Field<Type>& uf,
+    Field<GradType>& sum
+) const
+{
+    const fvMesh& mesh = geometry_.mesh();
+    const labelUList& own = mesh.faceOwner();
+    const labelUList& nei = mesh.faceNeighbour();
+    const vectorField& S = mesh.faceAreas();
+
+    for (const label celli : zone_.cells)
+    {
+        sum[celli] = Zero;
+    }
+
+    for (const label facei : zone_.internal)
+    {
+        const GradType Su(S[facei]*uf[facei]);
+        sum[own[facei]] += Su;
+        sum[nei[facei]] -= Su;
+    }
+
+    for (const label facei : zone_.coupled)
+    {
+        sum[own[facei]] += S[facei]*uf[facei];
+    }
+
+    for (const label facei : zone_.ownSides)
+    {
+        sum[own[facei]] += S[facei]*uf[facei];
+    }
+
+    for (const label facei : zone_.neiSides)
+    {
+        sum[nei[facei]] -= S[facei]*uf[facei];
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+template<class Type>
+Foam::gaussGradient<Type>::gaussGradient
+(
+    const fluxGeometry& geometry,
+    const bool solid
+)
+:
+    geometry_(geometry),
+    zone_(geometry.cellsAndFaces(solid)),
+    cellGrad_(geometry.skewed() ? geometry.mesh().nCells() : 0, Zero),
+    faceGrad_(geometry.warped() ? geometry.mesh().nFaces() : 0, Zero)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+template<class Type>
+void Foam::gaussGradient<Type>::faceValues
+(
+    const Field<Type>& u,
+    Field<Type>& uf
+)
+{
+    const fvMesh& mesh = geometry_.mesh();
+    const labelUList& own = mesh.faceOwner();
+    const labelUList& nei = mesh.faceNeighbour();
+    const scalarField& w = geometry_.w();
+    const label nInternal = mesh.nInternalFaces();
+
+    for (const label facei : zone_.internal)
+    {
+        uf[facei] = w[facei]*u[own[facei]] + (1 - w[facei])*u[nei[facei]];
+    }
+
+    if (geometry_.anyCoupled())
+    {
+        const Field<Type> uN(geometry_.neighbourValues(u));
+
+        for (const label facei : zone_.coupled)
+        {
+            uf[facei] =
+                w[facei]*u[own[facei]]
+              + (1 - w[facei])*uN[facei - nInternal];
+        }
+    }
+
+    if (!geometry_.skewed())
+    {
+        return;
+    }
+
+    sumFaces(uf, cellGrad_);
+
+    for (const label celli : zone_.cells)
+    {
+        const GradType G(cellGrad_[celli]/geometry_.V()[celli]);
+        cellGrad_[celli] = geometry_.invB()[celli] & G;
+    }
+
+    const vectorField& s = geometry_.skew();
+    const bool keepFaceGrad = geometry_.warped();
+
+    for (const label facei : zone_.internal)
+    {
+        const GradType Gf
+        (
+            w[facei]*cellGrad_[own[facei]]
+          + (1 - w[facei])*cellGrad_[nei[facei]]
+        );
+
+        uf[facei] += s[facei] & Gf;
+
+        if (keepFaceGrad)
+        {
+            faceGrad_[facei] = Gf;
+        }
+    }
+
+    if (geometry_.anyCoupled())
+    {
+        const Field<GradType> GN(geometry_.neighbourValues(cellGrad_));
+
+        for (const label facei : zone_.coupled)
+        {
+            const GradType Gf
+            (
+                w[facei]*cellGrad_[own[facei]]
+              + (1 - w[facei])*GN[facei - nInternal]
+            );
+
+            uf[facei] += s[facei] & Gf;
+
+            if (keepFaceGrad)
+            {
+                faceGrad_[facei] = Gf;
+            }
+        }
+    }
+}
+
+
+template<class Type>
+void Foam::gaussGradient<Type>::cellGradients
+(
+    const Field<Type>& uf,
+    Field<GradType>& G
+) const
+{
+    sumFaces(uf, G);
+
+    if (geometry_.warped())
+    {
+        const labelUList& own = geometry_.mesh().faceOwner();
+        const labelUList& nei = geometry_.mesh().faceNeighbour();
+        const tensorField& W = geometry_.warp();
+
+        for (const label facei : zone_.internal)
+        {
+            const GradType WG(W[facei] & faceGrad_[facei]);
+            G[own[facei]] += WG;
+            G[nei[facei]] -= WG;
+        }
+
+        for (const label facei : zone_.coupled)
+        {
+            const GradType WG(W[facei] & faceGrad_[facei]);
+            G[own[facei]] += WG;
+        }
+    }
+
+    for (const label celli : zone_.cells)
+    {
+        G[celli] /= geometry_.V()[celli];
+    }
+}
+
+
+// ************************************************************************* //

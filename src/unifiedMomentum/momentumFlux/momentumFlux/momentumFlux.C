@@ -1,0 +1,687 @@
+/*---------------------------------------------------------------------------*\
+  umfsiFoam: fluid-structure interaction with one momentum equation
+-------------------------------------------------------------------------------
+License
+    This file is part of umfsiFoam.
+
+    umfsiFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by
+    the Free Software Foundation, either version 3 of the License, or
+    (at your option) any later version.
+
+    umfsiFoam is distributed in the hope that it will be useful, but WITHOUT
+    ANY WARRANTY; without even the implied warranty of MERCHANTABILITY or
+    FITNESS FOR A PARTICULAR PURPOSE.  See the GNU General Public License
+    for more details.
+
+    You should have received a copy of the GNU General Public License
+    along with umfsiFoam.  If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "momentumFlux.H"
+#include "gaussConvectionScheme.H"
+#include "solidTractionFvPatchVectorField.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::momentumFlux::setShares()
+{
+    const fvMesh& mesh = geometry_.mesh();
+    const materialZones& materials = geometry_.materials();
+    const labelList& unknownFaces = geometry_.unknownFaces();
+
+    // Stiffness of the owner's side across and along the normal
+    scalarField aT(mesh.nFaces(), 0);
+    scalarField aN(mesh.nFaces(), 0);
+
+    for (const label facei : unknownFaces)
+    {
+        const stressFlux& s =
+            stress(materials.solid(mesh.faceOwner()[facei]));
+
+        aT[facei] = s.sideDiffusion(facei, true);
+        aN[facei] = aT[facei] + s.sideExtraNormal(facei, true);
+    }
+
+    const scalarField beyondT(geometry_.neighbourSides(aT));
+    const scalarField beyondN(geometry_.neighbourSides(aN));
+
+    forAll(unknownFaces, i)
+    {
+        const label facei = unknownFaces[i];
+        scalar otherT = 0;
+        scalar otherN = 0;
+
+        if (mesh.isInternalFace(facei))
+        {
+            const stressFlux& s =
+                stress(materials.solid(mesh.faceNeighbour()[facei]));
+
+            otherT = s.sideDiffusion(facei, false);
+            otherN = otherT + s.sideExtraNormal(facei, false);
+        }
+        else if (geometry_.kind(facei) == fluxGeometry::INTERFACE)
+        {
+            otherT = beyondT[facei - mesh.nInternalFaces()];
+            otherN = beyondN[facei - mesh.nInternalFaces()];
+        }
+
+        ownShareT_[i] = aT[facei]/max(aT[facei] + otherT, VSMALL);
+        ownShareN_[i] = aN[facei]/max(aN[facei] + otherN, VSMALL);
+    }
+}
+
+
+void Foam::momentumFlux::setRhieChow()
+{
+    const fvMesh& mesh = geometry_.mesh();
+    const fluxGeometry::zone& fluid = geometry_.cellsAndFaces(false);
+
+    // rho V/(beta dt) + viscous coefficients
+    scalarField a(mesh.nCells(), 0);
+
+    for (const label celli : fluid.cells)
+    {
+        a[celli] =
+            geometry_.materials()[celli].rho()*geometry_.V()[celli]/betaDt_;
+    }
+    for (const label facei : fluid.internal)
+    {
+        const scalar c = fluidStress_.diffusion(facei);
+        a[mesh.faceOwner()[facei]] += c;
+        a[mesh.faceNeighbour()[facei]] += c;
+    }
+    for (const label facei : fluid.coupled)
+    {
+        a[mesh.faceOwner()[facei]] += fluidStress_.diffusion(facei);
+    }
+    for (const label facei : fluid.ownSides)
+    {
+        a[mesh.faceOwner()[facei]] += fluidStress_.sideDiffusion(facei, true);
+    }
+    for (const label facei : fluid.neiSides)
+    {
+        a[mesh.faceNeighbour()[facei]] +=
+            fluidStress_.sideDiffusion(facei, false);
+    }
+
+    scalarField D(mesh.nCells(), 0);
+    for (const label celli : fluid.cells)
+    {
+        D[celli] = geometry_.V()[celli]/a[celli];
+    }
+
+    pressure_.setRhieChow(D);
+}
+
+
+void Foam::momentumFlux::setFaceVelocities
+(
+    const unifiedVector& z,
+    const bool solid,
+    const bool homogeneous,
+    const displacementVelocity* offset,
+    vectorField& uf
+) const
+{
+    const fvMesh& mesh = geometry_.mesh();
+    const fluxGeometry::zone& zone = geometry_.cellsAndFaces(solid);
+
+    const auto velocity = [&](const label facei)
+    {
+        vector u(Zero);
+
+        if (geometry_.unknownIndex()[facei] >= 0)
+        {
+            u = z.Uf[geometry_.unknownIndex()[facei]];
+        }
+        else
+        {
+            u = cmptMultiply
+            (
+                internalCoeff_[facei],
+                z.U[mesh.faceOwner()[facei]]
+            );
+
+            if (!homogeneous)
+            {
+                u += reference_[facei];
+            }
+        }
+
+        return offset ? u + offset->faces[facei] : u;
+    };
+
+    for (const label facei : zone.ownSides)
+    {
+        uf[facei] = velocity(facei);
+    }
+    for (const label facei : zone.neiSides)
+    {
+        uf[facei] = velocity(facei);
+    }
+}
+
+
+void Foam::momentumFlux::addConvection
+(
+    const vectorField& U,
+    const bool homogeneous,
+    vectorField& cellForce
+) const
+{
+    const fvMesh& mesh = geometry_.mesh();
+    const labelUList& own = mesh.faceOwner();
+    const labelUList& nei = mesh.faceNeighbour();
+    const fluxGeometry::zone& fluid = geometry_.cellsAndFaces(false);
+
+    const auto flux = [&](const label facei, const vector& UN)
+    {
+        const scalar w = convectionWeight_[facei];
+        vector u(w*U[own[facei]] + (1 - w)*UN);
+        if (!homogeneous)
+        {
+            u += convectionCorrection_[facei];
+        }
+        return rhoPhi_[facei]*u;
+    };
+
+    for (const label facei : fluid.internal)
+    {
+        const vector F(flux(facei, U[nei[facei]]));
+        cellForce[own[facei]] -= F;
+        cellForce[nei[facei]] += F;
+    }
+
+    if (geometry_.anyCoupled())
+    {
+        const vectorField UN(geometry_.neighbourValues(U));
+
+        for (const label facei : fluid.coupled)
+        {
+            cellForce[own[facei]] -=
+                flux(facei, UN[facei - mesh.nInternalFaces()]);
+        }
+    }
+
+    for (const label facei : fluid.ownSides)
+    {
+        cellForce[own[facei]] -= rhoPhi_[facei]*uFluid_[facei];
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::momentumFlux::momentumFlux
+(
+    const materialZones& materials,
+    const volVectorField& U,
+    const volScalarField& p
+)
+:
+    geometry_(materials, U),
+    fluidStress_(geometry_, false),
+    solidStress_(geometry_, true),
+    pressure_(geometry_, p),
+    betaDt_(0),
+    internalCoeff_(U.mesh().nFaces(), Zero),
+    reference_(internalCoeff_),
+    prescribedForce_(internalCoeff_),
+    rhoPhi_(U.mesh().nFaces(), 0),
+    convectionWeight_(rhoPhi_),
+    convectionCorrection_(internalCoeff_),
+    ownShareT_(geometry_.unknownFaces().size(), 0),
+    ownShareN_(ownShareT_),
+    uFluid_(internalCoeff_),
+    vSolid_(internalCoeff_),
+    ownForce_(internalCoeff_),
+    neiForce_(internalCoeff_)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::momentumFlux::setBetaDt(const scalar betaDt)
+{
+    if (betaDt != betaDt_)
+    {
+        betaDt_ = betaDt;
+        solidStress_.setFactor(betaDt);
+        setShares();
+        setRhieChow();
+    }
+}
+
+
+void Foam::momentumFlux::updateBoundary
+(
+    const volVectorField& U,
+    const volScalarField& p
+)
+{
+    forAll(U.boundaryField(), patchi)
+    {
+        const fvPatchVectorField& Up = U.boundaryField()[patchi];
+        const label start = Up.patch().start();
+
+        if (Up.coupled() || Up.empty())
+        {
+            continue;
+        }
+        else if (isA<solidTractionFvPatchVectorField>(Up))
+        {
+            const vectorField traction
+            (
+                refCast<const solidTractionFvPatchVectorField>(Up).traction()
+            );
+
+            forAll(Up, i)
+            {
+                prescribedForce_[start + i] =
+                    Up.patch().magSf()[i]*traction[i];
+            }
+        }
+        else if (geometry_.kind(start) == fluxGeometry::FIXED)
+        {
+            const tmp<scalarField> weights(Up.patch().weights());
+            const vectorField internalCoeff(Up.valueInternalCoeffs(weights));
+            const vectorField reference(Up.valueBoundaryCoeffs(weights));
+
+            forAll(Up, i)
+            {
+                internalCoeff_[start + i] = internalCoeff[i];
+                reference_[start + i] = reference[i];
+            }
+        }
+    }
+
+    pressure_.updateBoundary(p);
+}
+
+
+void Foam::momentumFlux::setConvection
+(
+    const surfaceScalarField& phi,
+    const volVectorField& U
+)
+{
+    const fvMesh& mesh = geometry_.mesh();
+    const fluxGeometry::zone& fluid = geometry_.cellsAndFaces(false);
+
+    const word name("div(" + phi.name() + ',' + U.name() + ')');
+    const tmp<fv::convectionScheme<vector>> tscheme
+    (
+        fv::convectionScheme<vector>::New(mesh, phi, mesh.divScheme(name))
+    );
+
+    if (!isA<fv::gaussConvectionScheme<vector>>(tscheme()))
+    {
+        FatalIOErrorInFunction(mesh.schemesDict().subDict("divSchemes"))
+            << "Entry '" << name << "' is of type " << tscheme().type() << nl
+            << "    Valid choices: Gauss with any interpolation scheme"
+            << exit(FatalIOError);
+    }
+
+    const surfaceInterpolationScheme<vector>& scheme =
+        refCast<const fv::gaussConvectionScheme<vector>>(tscheme())
+       .interpScheme();
+
+    const surfaceScalarField weights(scheme.weights(U));
+
+    const auto rho = [&](const label facei)
+    {
+        return geometry_.materials()[mesh.faceOwner()[facei]].rho();
+    };
+
+    for (const label facei : fluid.internal)
+    {
+        rhoPhi_[facei] = rho(facei)*phi[facei];
+        convectionWeight_[facei] = weights[facei];
+    }
+
+    forAll(mesh.boundary(), patchi)
+    {
+        const fvPatch& patch = mesh.boundary()[patchi];
+
+        forAll(phi.boundaryField()[patchi], i)
+        {
+            const label facei = patch.start() + i;
+            const bool convects =
+                geometry_.kind(facei) == fluxGeometry::INSIDE
+             || geometry_.kind(facei) == fluxGeometry::FIXED;
+
+            if
+            (
+                convects
+             && !geometry_.materials().solid(mesh.faceOwner()[facei])
+            )
+            {
+                rhoPhi_[facei] = rho(facei)*phi.boundaryField()[patchi][i];
+                convectionWeight_[facei] = weights.boundaryField()[patchi][i];
+            }
+        }
+    }
+
+    if (scheme.corrected())
+    {
+        const surfaceVectorField correction(scheme.correction(U));
+
+        for (const label facei : fluid.internal)
+        {
+            convectionCorrection_[facei] = correction[facei];
+        }
+        for (const label facei : fluid.coupled)
+        {
+            const label patchi = mesh.boundaryMesh().whichPatch(facei);
+            convectionCorrection_[facei] =
+                correction.boundaryField()[patchi]
+                [
+                    facei - mesh.boundary()[patchi].start()
+                ];
+        }
+    }
+}
+
+
+void Foam::momentumFlux::evaluateFluid
+(
+    const unifiedVector& z,
+    const bool homogeneous,
+    vectorField& cellForce
+)
+{
+    const fluxGeometry::zone& fluid = geometry_.cellsAndFaces(false);
+    const vectorField& S = geometry_.mesh().faceAreas();
+
+    setFaceVelocities(z, false, homogeneous, nullptr, uFluid_);
+    fluidStress_.interpolate(z.U, uFluid_);
+    fluidStress_.addInsideForces(z.U, cellForce);
+
+    pressure_.interpolate(z.p, homogeneous);
+    pressure_.addInsideForces(cellForce);
+
+    addConvection(z.U, homogeneous, cellForce);
+
+    const scalarField& pf = pressure_.faceValues();
+
+    for (const label facei : fluid.ownSides)
+    {
+        ownForce_[facei] =
+            fluidStress_.ownForce()[facei] - pf[facei]*S[facei];
+    }
+    for (const label facei : fluid.neiSides)
+    {
+        neiForce_[facei] =
+            fluidStress_.neiForce()[facei] + pf[facei]*S[facei];
+    }
+}
+
+
+void Foam::momentumFlux::evaluateSolid
+(
+    const unifiedVector& z,
+    const displacementVelocity* offset,
+    vectorField& cellForce
+)
+{
+    const fluxGeometry::zone& solid = geometry_.cellsAndFaces(true);
+
+    setFaceVelocities(z, true, !offset, offset, vSolid_);
+
+    if (offset)
+    {
+        const vectorField v(z.U + offset->cells);
+        solidStress_.interpolate(v, vSolid_);
+        solidStress_.addInsideForces(v, cellForce);
+    }
+    else
+    {
+        solidStress_.interpolate(z.U, vSolid_);
+        solidStress_.addInsideForces(z.U, cellForce);
+    }
+
+    for (const label facei : solid.ownSides)
+    {
+        ownForce_[facei] = solidStress_.ownForce()[facei];
+    }
+    for (const label facei : solid.neiSides)
+    {
+        neiForce_[facei] = solidStress_.neiForce()[facei];
+    }
+}
+
+
+void Foam::momentumFlux::forces
+(
+    const unifiedVector& z,
+    const displacementVelocity* offset,
+    vectorField& cellForce,
+    vectorField& faceForce
+)
+{
+    const fvMesh& mesh = geometry_.mesh();
+    const labelUList& own = mesh.faceOwner();
+    const bool homogeneous = !offset;
+
+    cellForce = Zero;
+    evaluateFluid(z, homogeneous, cellForce);
+    evaluateSolid(z, offset, cellForce);
+
+    vectorField beyond;
+    if (geometry_.anyCoupled())
+    {
+        beyond = geometry_.neighbourSides(ownForce_);
+    }
+
+    // Faces whose velocity is an unknown
+    forAll(geometry_.unknownFaces(), i)
+    {
+        const label facei = geometry_.unknownFaces()[i];
+        const vector& F = ownForce_[facei];
+
+        if (geometry_.kind(facei) == fluxGeometry::INTERFACE)
+        {
+            const bool internal = mesh.isInternalFace(facei);
+
+            faceForce[i] =
+                F
+              + (
+                    internal
+                  ? neiForce_[facei]
+                  : beyond[facei - mesh.nInternalFaces()]
+                );
+
+            const vector common(F - shareOf(i, true, faceForce[i]));
+
+            cellForce[own[facei]] += common;
+            if (internal)
+            {
+                cellForce[mesh.faceNeighbour()[facei]] -= common;
+            }
+        }
+        else if (geometry_.kind(facei) == fluxGeometry::TRACTION)
+        {
+            const vector given
+            (
+                homogeneous ? vector(Zero) : prescribedForce_[facei]
+            );
+
+            cellForce[own[facei]] += given;
+            faceForce[i] = F - given;
+        }
+        else
+        {
+            // Slip: the wall gives the normal part, nothing the tangential
+            const vector& n = geometry_.n()[facei];
+            const vector normal((F & n)*n);
+
+            cellForce[own[facei]] += normal;
+            faceForce[i] = F - normal;
+        }
+    }
+
+    // Patches that give the velocity
+    for (const bool solid : {false, true})
+    {
+        for (const label facei : geometry_.cellsAndFaces(solid).ownSides)
+        {
+            if (geometry_.kind(facei) == fluxGeometry::FIXED)
+            {
+                cellForce[own[facei]] += ownForce_[facei];
+            }
+        }
+    }
+}
+
+
+void Foam::momentumFlux::divergence
+(
+    const unifiedVector& z,
+    const bool homogeneous,
+    scalarField& div,
+    const bool current,
+    scalarField* phi
+)
+{
+    const fvMesh& mesh = geometry_.mesh();
+    const labelUList& own = mesh.faceOwner();
+    const labelUList& nei = mesh.faceNeighbour();
+    const vectorField& S = mesh.faceAreas();
+    const fluxGeometry::zone& fluid = geometry_.cellsAndFaces(false);
+
+    if (!current)
+    {
+        setFaceVelocities(z, false, homogeneous, nullptr, uFluid_);
+        fluidStress_.interpolate(z.U, uFluid_);
+        pressure_.interpolate(z.p, homogeneous);
+    }
+
+    div = 0;
+
+    const auto flux = [&](const label facei)
+    {
+        scalar phif =
+            (S[facei] & uFluid_[facei]) + pressure_.flux(facei, z.p);
+
+        if
+        (
+            geometry_.warped()
+         && geometry_.kind(facei) == fluxGeometry::INSIDE
+        )
+        {
+            phif +=
+                geometry_.warp()[facei].T() && fluidStress_.faceGrad()[facei];
+        }
+
+        if (phi)
+        {
+            (*phi)[facei] = phif;
+        }
+
+        return phif;
+    };
+
+    for (const label facei : fluid.internal)
+    {
+        const scalar phif = flux(facei);
+        div[own[facei]] += phif;
+        div[nei[facei]] -= phif;
+    }
+    for (const label facei : fluid.coupled)
+    {
+        div[own[facei]] += flux(facei);
+    }
+    for (const label facei : fluid.ownSides)
+    {
+        div[own[facei]] += flux(facei);
+    }
+    for (const label facei : fluid.neiSides)
+    {
+        div[nei[facei]] -= flux(facei);
+    }
+}
+
+
+const Foam::pressureFlux& Foam::momentumFlux::extrapolatePressure
+(
+    const scalarField& p
+)
+{
+    pressure_.interpolate(p, false);
+
+    return pressure_;
+}
+
+
+void Foam::momentumFlux::gradP(const scalarField& dp, vectorField& grad)
+{
+    pressure_.interpolate(dp, true);
+    grad = pressure_.grad();
+}
+
+
+Foam::vector Foam::momentumFlux::shareOf
+(
+    const label i,
+    const bool owner,
+    const vector& R
+) const
+{
+    const vector& n = geometry_.n()[geometry_.unknownFaces()[i]];
+    const vector normal((R & n)*n);
+    const vector share
+    (
+        ownShareT_[i]*(R - normal) + ownShareN_[i]*normal
+    );
+
+    return owner ? share : R - share;
+}
+
+
+void Foam::momentumFlux::patchVelocities
+(
+    const unifiedVector& z,
+    vectorField& uf
+) const
+{
+    setFaceVelocities(z, false, false, nullptr, uf);
+    setFaceVelocities(z, true, false, nullptr, uf);
+}
+
+
+void Foam::momentumFlux::stressField
+(
+    const unifiedVector& z,
+    const displacementVelocity& offset,
+    symmTensorField& sigma
+)
+{
+    const materialZones& materials = geometry_.materials();
+
+    setFaceVelocities(z, false, false, nullptr, uFluid_);
+    fluidStress_.interpolate(z.U, uFluid_);
+
+    for (const label celli : geometry_.cellsAndFaces(false).cells)
+    {
+        sigma[celli] =
+            materials[celli].stress(fluidStress_.grad()[celli])
+          - z.p[celli]*symmTensor::I;
+    }
+
+    const vectorField v(z.U + offset.cells);
+
+    setFaceVelocities(z, true, false, &offset, vSolid_);
+    solidStress_.interpolate(v, vSolid_);
+
+    for (const label celli : geometry_.cellsAndFaces(true).cells)
+    {
+        // V = D/(beta dt)
+        const tensor gradD(betaDt_*solidStress_.grad()[celli]);
+        sigma[celli] = materials[celli].stress(gradD);
+    }
+}
+
+
+// ************************************************************************* //

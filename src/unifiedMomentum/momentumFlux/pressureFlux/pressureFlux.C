@@ -1,0 +1,373 @@
+/*---------------------------------------------------------------------------*\
+  umfsiFoam: fluid-structure interaction with one momentum equation
+-------------------------------------------------------------------------------
+License
+    This file is part of umfsiFoam.
+
+    umfsiFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by
+    the Free Software Foundation, either version 3 of the License, or
+    (at your option) any later version.
+
+    umfsiFoam is distributed in the hope that it will be useful, but WITHOUT
+    ANY WARRANTY; without even the implied warranty of MERCHANTABILITY or
+    FITNESS FOR A PARTICULAR PURPOSE.  See the GNU General Public License
+    for more details.
+
+    You should have received a copy of the GNU General Public License
+    along with umfsiFoam.  If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "pressureFlux.H"
+#include "basicSymmetryFvPatchField.H"
+#include "fixedFluxPressureFvPatchScalarField.H"
+#include "fixedFluxExtrapolatedPressureFvPatchScalarField.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+bool Foam::pressureFlux::extrapolates(const fvPatchScalarField& p)
+{
+    return
+        isA<fixedFluxPressureFvPatchScalarField>(p)
+     || isA<fixedFluxExtrapolatedPressureFvPatchScalarField>(p);
+}
+
+
+void Foam::pressureFlux::setStencils(const boolList& extrapolate)
+{
+    const fvMesh& mesh = geometry_.mesh();
+    const vectorField& dOwn = geometry_.dOwn();
+    const vectorField& dNei = geometry_.dNei();
+
+    labelList stencilOf(mesh.nCells(), -1);
+    DynamicList<label> cells;
+    DynamicList<extrapolatedSide> sides;
+
+    const auto addSide = [&]
+    (
+        const label facei,
+        const label celli,
+        const vector& d
+    )
+    {
+        if (stencilOf[celli] < 0)
+        {
+            stencilOf[celli] = cells.size();
+            cells.append(celli);
+        }
+        sides.append(extrapolatedSide{facei, stencilOf[celli], d});
+    };
+
+    for (const label facei : zone_.ownSides)
+    {
+        if (extrapolate[facei])
+        {
+            addSide(facei, mesh.faceOwner()[facei], dOwn[facei]);
+        }
+    }
+    for (const label facei : zone_.neiSides)
+    {
+        if (extrapolate[facei])
+        {
+            addSide(facei, mesh.faceNeighbour()[facei], dNei[facei]);
+        }
+    }
+
+    extrapolated_.transfer(sides);
+    stencils_.setSize(cells.size());
+
+    forAll(stencils_, i)
+    {
+        stencil& st = stencils_[i];
+        st.celli = cells[i];
+
+        DynamicList<label> faces;
+        DynamicList<vector> weights;
+        symmTensor sum(Zero);
+
+        for (const label facei : mesh.cells()[st.celli])
+        {
+            vector d;
+            if (geometry_.kind(facei) == fluxGeometry::INSIDE)
+            {
+                d = dOwn[facei] - dNei[facei];
+                if (mesh.faceOwner()[facei] != st.celli)
+                {
+                    d = -d;
+                }
+            }
+            else if (fixesP_[facei])
+            {
+                d = dOwn[facei];
+            }
+            else
+            {
+                continue;
+            }
+
+            faces.append(facei);
+            weights.append(d/magSqr(d));
+            sum += sqr(d)/magSqr(d);
+        }
+
+        // The small term leaves directions without neighbours at zero gradient
+        const symmTensor inverse
+        (
+            inv(sum + 1e-10*max(tr(sum), SMALL)*symmTensor::I)
+        );
+
+        for (vector& weight : weights)
+        {
+            weight = inverse & vector(weight);
+        }
+
+        st.faces.transfer(faces);
+        st.weights.transfer(weights);
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::pressureFlux::pressureFlux
+(
+    const fluxGeometry& geometry,
+    const volScalarField& p
+)
+:
+    geometry_(geometry),
+    zone_(geometry.cellsAndFaces(false)),
+    fixesP_(geometry.mesh().nFaces(), false),
+    internalCoeff_(geometry.mesh().nFaces(), 0),
+    reference_(internalCoeff_),
+    rhieChow_(internalCoeff_),
+    gradient_(geometry, false),
+    pf_(internalCoeff_),
+    grad_(geometry.mesh().nCells(), Zero)
+{
+    boolList extrapolate(geometry.mesh().nFaces(), false);
+
+    for (const label facei : geometry.unknownFaces())
+    {
+        extrapolate[facei] = geometry.kind(facei) == fluxGeometry::INTERFACE;
+    }
+
+    forAll(p.boundaryField(), patchi)
+    {
+        const fvPatchScalarField& pp = p.boundaryField()[patchi];
+
+        // On a coupled patch an interface face stays extrapolated
+        if (pp.coupled())
+        {
+            continue;
+        }
+
+        forAll(pp, i)
+        {
+            const label facei = pp.patch().start() + i;
+            fixesP_[facei] = pp.fixesValue();
+            extrapolate[facei] = extrapolates(pp);
+        }
+    }
+
+    setStencils(extrapolate);
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::pressureFlux::updateBoundary(const volScalarField& p)
+{
+    forAll(p.boundaryField(), patchi)
+    {
+        const fvPatchScalarField& pp = p.boundaryField()[patchi];
+
+        if (pp.coupled() || pp.empty())
+        {
+            continue;
+        }
+
+        const tmp<scalarField> weights(pp.patch().weights());
+        const scalarField internalCoeff(pp.valueInternalCoeffs(weights));
+        const scalarField reference(pp.valueBoundaryCoeffs(weights));
+        const bool zeroGradient =
+            isA<basicSymmetryFvPatchField<scalar>>(pp);
+
+        forAll(pp, i)
+        {
+            const label facei = pp.patch().start() + i;
+            internalCoeff_[facei] = zeroGradient ? 1 : internalCoeff[i];
+            reference_[facei] = zeroGradient ? 0 : reference[i];
+        }
+    }
+}
+
+
+void Foam::pressureFlux::setRhieChow(const scalarField& D)
+{
+    const fvMesh& mesh = geometry_.mesh();
+    const labelUList& own = mesh.faceOwner();
+    const labelUList& nei = mesh.faceNeighbour();
+    const scalarField& w = geometry_.w();
+    const scalarField& hOwn = geometry_.hOwn();
+    const scalarField& hNei = geometry_.hNei();
+
+    const auto coefficient = [&](const label facei, const scalar DN)
+    {
+        return
+            ((1 - w[facei])*D[own[facei]] + w[facei]*DN)
+           *mag(mesh.faceAreas()[facei])/(hOwn[facei] + hNei[facei]);
+    };
+
+    for (const label facei : zone_.internal)
+    {
+        rhieChow_[facei] = coefficient(facei, D[nei[facei]]);
+    }
+
+    const scalarField DN(geometry_.neighbourValues(D));
+
+    for (const label facei : zone_.coupled)
+    {
+        rhieChow_[facei] =
+            coefficient(facei, DN[facei - mesh.nInternalFaces()]);
+    }
+
+    for (const label facei : zone_.ownSides)
+    {
+        rhieChow_[facei] =
+            fixesP_[facei]
+          ? D[own[facei]]*mag(mesh.faceAreas()[facei])/hOwn[facei]
+          : 0;
+    }
+}
+
+
+void Foam::pressureFlux::interpolate
+(
+    const scalarField& p,
+    const bool homogeneous
+)
+{
+    const fvMesh& mesh = geometry_.mesh();
+    const labelUList& own = mesh.faceOwner();
+    const label nInternal = mesh.nInternalFaces();
+
+    for (const label facei : zone_.ownSides)
+    {
+        pf_[facei] = internalCoeff_[facei]*p[own[facei]];
+        if (!homogeneous)
+        {
+            pf_[facei] += reference_[facei];
+        }
+    }
+
+    if (geometry_.anyCoupled())
+    {
+        pN_ = geometry_.neighbourValues(p);
+    }
+
+    scalarField pExtrapolated(extrapolated_.size());
+    vectorField g(stencils_.size(), Zero);
+
+    forAll(stencils_, i)
+    {
+        const stencil& st = stencils_[i];
+
+        forAll(st.faces, j)
+        {
+            const label facei = st.faces[j];
+            const scalar pOther =
+                fixesP_[facei] ? pf_[facei]
+              : facei >= nInternal ? pN_[facei - nInternal]
+              : own[facei] == st.celli ? p[mesh.faceNeighbour()[facei]]
+              : p[own[facei]];
+
+            g[i] += (pOther - p[st.celli])*st.weights[j];
+        }
+    }
+
+    for (const extrapolatedSide& side : extrapolated_)
+    {
+        pf_[side.facei] =
+            p[stencils_[side.stencili].celli] + (side.d & g[side.stencili]);
+    }
+
+    gradient_.faceValues(p, pf_);
+    gradient_.cellGradients(pf_, grad_);
+
+    if (geometry_.anyCoupled())
+    {
+        gradN_ = geometry_.neighbourValues(grad_);
+    }
+}
+
+
+void Foam::pressureFlux::addInsideForces(vectorField& cellForce) const
+{
+    const fvMesh& mesh = geometry_.mesh();
+    const labelUList& own = mesh.faceOwner();
+    const labelUList& nei = mesh.faceNeighbour();
+    const vectorField& S = mesh.faceAreas();
+    const bool warped = geometry_.warped();
+
+    const auto force = [&](const label facei)
+    {
+        vector F(S[facei]*pf_[facei]);
+        if (warped)
+        {
+            F += geometry_.warp()[facei] & gradient_.faceGrad()[facei];
+        }
+        return F;
+    };
+
+    for (const label facei : zone_.internal)
+    {
+        const vector F(force(facei));
+        cellForce[own[facei]] -= F;
+        cellForce[nei[facei]] += F;
+    }
+
+    for (const label facei : zone_.coupled)
+    {
+        cellForce[own[facei]] -= force(facei);
+    }
+}
+
+
+Foam::scalar Foam::pressureFlux::flux
+(
+    const label facei,
+    const scalarField& p
+) const
+{
+    if (rhieChow_[facei] == 0)
+    {
+        return 0;
+    }
+
+    const fvMesh& mesh = geometry_.mesh();
+    const label celli = mesh.faceOwner()[facei];
+    const vector& dOwn = geometry_.dOwn()[facei];
+
+    if (geometry_.kind(facei) != fluxGeometry::INSIDE)
+    {
+        return
+          - rhieChow_[facei]
+           *(pf_[facei] - p[celli] - (dOwn & grad_[celli]));
+    }
+
+    const scalar w = geometry_.w()[facei];
+    const label beyond = facei - mesh.nInternalFaces();
+    const bool internal = beyond < 0;
+    const label other = internal ? mesh.faceNeighbour()[facei] : -1;
+    const scalar pOther = internal ? p[other] : pN_[beyond];
+    const vector& gradOther = internal ? grad_[other] : gradN_[beyond];
+    const vector d(dOwn - geometry_.dNei()[facei]);
+    const vector grad((1 - w)*grad_[celli] + w*gradOther);
+
+    return -rhieChow_[facei]*(pOther - p[celli] - (d & grad));
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,513 @@
+/*---------------------------------------------------------------------------*\
+  umfsiFoam: fluid-structure interaction with one momentum equation
+-------------------------------------------------------------------------------
+License
+    This file is part of umfsiFoam.
+
+    umfsiFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by
+    the Free Software Foundation, either version 3 of the License, or
+    (at your option) any later version.
+
+    umfsiFoam is distributed in the hope that it will be useful, but WITHOUT
+    ANY WARRANTY; without even the implied warranty of MERCHANTABILITY or
+    FITNESS FOR A PARTICULAR PURPOSE.  See the GNU General Public License
+    for more details.
+
+    You should have received a copy of the GNU General Public License
+    along with umfsiFoam.  If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "stressFlux.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+    //- (a_t I + a_n nn).r
+    inline vector stiffness
+    (
+        const scalar aT,
+        const scalar aN,
+        const vector& n,
+        const vector& r
+    )
+    {
+        return aT*r + (aN*(n & r))*n;
+    }
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::stressFlux::jumpForces(const vectorField& u)
+{
+    const fvMesh& mesh = geometry_.mesh();
+    const labelUList& own = mesh.faceOwner();
+    const labelUList& nei = mesh.faceNeighbour();
+    const vectorField& n = geometry_.n();
+    const vectorField& dOwn = geometry_.dOwn();
+    const vectorField& dNei = geometry_.dNei();
+    const scalarField& V = geometry_.V();
+
+    for (const label celli : zone_.cells)
+    {
+        stress_[celli] = Zero;
+    }
+
+    // stress_ collects V T first
+
+    const auto ownSide = [&](const label facei)
+    {
+        const label c = own[facei];
+        const vector r(uf_[facei] - u[c] - (dOwn[facei] & grad_[c]));
+
+        ownJump_[facei] =
+            stiffness(ownT_[facei], ownN_[facei], n[facei], r);
+        stress_[c] += dOwn[facei]*ownJump_[facei];
+    };
+
+    const auto neiSide = [&](const label facei)
+    {
+        const label c = nei[facei];
+        const vector r(uf_[facei] - u[c] - (dNei[facei] & grad_[c]));
+
+        neiJump_[facei] =
+            stiffness(neiT_[facei], neiN_[facei], n[facei], r);
+        stress_[c] += dNei[facei]*neiJump_[facei];
+    };
+
+    for (const label facei : zone_.internal)
+    {
+        ownSide(facei);
+        neiSide(facei);
+    }
+
+    for (const label facei : zone_.coupled)
+    {
+        ownSide(facei);
+    }
+
+    for (const label facei : zone_.ownSides)
+    {
+        ownSide(facei);
+    }
+
+    for (const label facei : zone_.neiSides)
+    {
+        neiSide(facei);
+    }
+
+    for (const label celli : zone_.cells)
+    {
+        const label materiali = geometry_.materials().materialIndex(celli);
+        const tensor& G = grad_[celli];
+
+        tensor sigma(mu_[materiali]*(G + G.T()));
+        const scalar pressure = lambda_[materiali]*tr(G);
+        sigma.xx() += pressure;
+        sigma.yy() += pressure;
+        sigma.zz() += pressure;
+
+        stress_[celli] = sigma - stress_[celli]/V[celli];
+    }
+}
+
+
+void Foam::stressFlux::addForces(vectorField& cellForce)
+{
+    const fvMesh& mesh = geometry_.mesh();
+    const labelUList& own = mesh.faceOwner();
+    const labelUList& nei = mesh.faceNeighbour();
+    const vectorField& S = mesh.faceAreas();
+    const scalarField& w = geometry_.w();
+
+    for (const label facei : zone_.internal)
+    {
+        const scalar wP = w[facei];
+        const tensor sigma
+        (
+            (1 - wP)*stress_[own[facei]] + wP*stress_[nei[facei]]
+        );
+        const vector F
+        (
+            (S[facei] & sigma) + (1 - wP)*ownJump_[facei]
+          - wP*neiJump_[facei]
+        );
+
+        cellForce[own[facei]] += F;
+        cellForce[nei[facei]] -= F;
+    }
+
+    for (const label facei : zone_.coupled)
+    {
+        ownForce_[facei] =
+            (S[facei] & stress_[own[facei]]) + ownJump_[facei];
+    }
+
+    for (const label facei : zone_.ownSides)
+    {
+        ownForce_[facei] =
+            (S[facei] & stress_[own[facei]]) + ownJump_[facei];
+    }
+
+    for (const label facei : zone_.neiSides)
+    {
+        neiForce_[facei] =
+            neiJump_[facei] - (S[facei] & stress_[nei[facei]]);
+    }
+
+    if (geometry_.anyCoupled())
+    {
+        const label nInternal = mesh.nInternalFaces();
+        const vectorField beyond(geometry_.neighbourSides(ownForce_));
+
+        for (const label facei : zone_.coupled)
+        {
+            cellForce[own[facei]] +=
+                (1 - w[facei])*ownForce_[facei]
+              - w[facei]*beyond[facei - nInternal];
+        }
+    }
+}
+
+
+void Foam::stressFlux::addSkewForces(vectorField& cellForce)
+{
+    const fvMesh& mesh = geometry_.mesh();
+    const label nInternal = mesh.nInternalFaces();
+    const labelUList& own = mesh.faceOwner();
+    const labelUList& nei = mesh.faceNeighbour();
+    const vectorField& S = mesh.faceAreas();
+    const scalarField& w = geometry_.w();
+    const vectorField& s = geometry_.skew();
+    const tensorField& W = geometry_.warp();
+    const bool warped = geometry_.warped();
+
+    const auto ownSide = [&](const label facei)
+    {
+        ownForce_[facei] =
+            (S[facei] & stress_[own[facei]]) + ownJump_[facei];
+    };
+
+    const auto neiSide = [&](const label facei)
+    {
+        neiForce_[facei] =
+            neiJump_[facei] - (S[facei] & stress_[nei[facei]]);
+    };
+
+    for (const label facei : zone_.internal)
+    {
+        ownSide(facei);
+        neiSide(facei);
+    }
+    for (const label facei : zone_.coupled)
+    {
+        ownSide(facei);
+    }
+    for (const label facei : zone_.ownSides)
+    {
+        ownSide(facei);
+    }
+    for (const label facei : zone_.neiSides)
+    {
+        neiSide(facei);
+    }
+
+    // Q: what the corrected face values ask of the uncorrected gradients.
+    // The gradients are no longer needed: their storage takes Q
+    tensorField& Q = grad_;
+
+    for (const label celli : zone_.cells)
+    {
+        Q[celli] = Zero;
+    }
+
+    for (const label facei : zone_.internal)
+    {
+        const vector R(ownForce_[facei] + neiForce_[facei]);
+        tensor q(s[facei]*R);
+
+        if (warped)
+        {
+            const tensor jump(stress_[own[facei]] - stress_[nei[facei]]);
+            const tensor WT(W[facei].T());
+            q += WT & jump;
+        }
+
+        Q[own[facei]] += w[facei]*q;
+        Q[nei[facei]] += (1 - w[facei])*q;
+    }
+
+    if (geometry_.anyCoupled())
+    {
+        const vectorField beyond(geometry_.neighbourSides(ownForce_));
+        const tensorField stressN(geometry_.neighbourValues(stress_));
+
+        for (const label facei : zone_.coupled)
+        {
+            const vector R(ownForce_[facei] + beyond[facei - nInternal]);
+            tensor q(s[facei]*R);
+
+            if (warped)
+            {
+                const tensor jump
+                (
+                    stress_[own[facei]] - stressN[facei - nInternal]
+                );
+                const tensor WT(W[facei].T());
+                q += WT & jump;
+            }
+
+            Q[own[facei]] += w[facei]*q;
+        }
+    }
+
+    // Z = B^-T Q
+    for (const label celli : zone_.cells)
+    {
+        const tensor BT(geometry_.invB()[celli].T());
+        const tensor q(Q[celli]/geometry_.V()[celli]);
+        Q[celli] = BT & q;
+    }
+
+    for (const label facei : zone_.internal)
+    {
+        ownForce_[facei] += S[facei] & Q[own[facei]];
+        neiForce_[facei] -= S[facei] & Q[nei[facei]];
+
+        const vector F
+        (
+            (1 - w[facei])*ownForce_[facei] - w[facei]*neiForce_[facei]
+        );
+
+        cellForce[own[facei]] += F;
+        cellForce[nei[facei]] -= F;
+    }
+    for (const label facei : zone_.coupled)
+    {
+        ownForce_[facei] += S[facei] & Q[own[facei]];
+    }
+    for (const label facei : zone_.ownSides)
+    {
+        ownForce_[facei] += S[facei] & Q[own[facei]];
+    }
+    for (const label facei : zone_.neiSides)
+    {
+        neiForce_[facei] -= S[facei] & Q[nei[facei]];
+    }
+
+    if (geometry_.anyCoupled())
+    {
+        const vectorField beyond(geometry_.neighbourSides(ownForce_));
+
+        for (const label facei : zone_.coupled)
+        {
+            cellForce[own[facei]] +=
+                (1 - w[facei])*ownForce_[facei]
+              - w[facei]*beyond[facei - nInternal];
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::stressFlux::stressFlux(const fluxGeometry& geometry, const bool solid)
+:
+    geometry_(geometry),
+    zone_(geometry.cellsAndFaces(solid)),
+    mu_(geometry.materials().materials().size()),
+    lambda_(mu_.size()),
+    ownT_(geometry.mesh().nFaces(), 0),
+    ownN_(ownT_),
+    neiT_(ownT_),
+    neiN_(ownT_),
+    gradient_(geometry, solid),
+    uf_(geometry.mesh().nFaces(), Zero),
+    grad_(geometry.mesh().nCells(), Zero),
+    stress_(grad_),
+    ownJump_(uf_),
+    neiJump_(uf_),
+    ownForce_(uf_),
+    neiForce_(uf_)
+{
+    setFactor(1);
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::stressFlux::setFactor(const scalar factor)
+{
+    const fvMesh& mesh = geometry_.mesh();
+    const labelUList& own = mesh.faceOwner();
+    const labelUList& nei = mesh.faceNeighbour();
+    const scalarField& hOwn = geometry_.hOwn();
+    const scalarField& hNei = geometry_.hNei();
+    const materialZones& materials = geometry_.materials();
+
+    forAll(mu_, materiali)
+    {
+        mu_[materiali] = factor*materials.materials()[materiali].shear();
+        lambda_[materiali] = factor*materials.materials()[materiali].lambda();
+    }
+
+    scalarField hMin(mesh.nCells(), GREAT);
+
+    forAll(mesh.faces(), facei)
+    {
+        if (geometry_.kind(facei) != fluxGeometry::IGNORED)
+        {
+            hMin[own[facei]] = min(hMin[own[facei]], hOwn[facei]);
+            if (mesh.isInternalFace(facei))
+            {
+                hMin[nei[facei]] = min(hMin[nei[facei]], hNei[facei]);
+            }
+        }
+    }
+
+    // Softer jumps along the long side of a slender cell let it bend; the
+    // floor keeps its high modes from going soft
+    const scalar floor = 0.25;
+
+    const auto set = [&]
+    (
+        const label facei,
+        const label celli,
+        const scalar h,
+        scalar& aT,
+        scalar& aN
+    )
+    {
+        const label materiali = materials.materialIndex(celli);
+        const scalar S = mag(mesh.faceAreas()[facei]);
+
+        if (materials[celli].faceStiffness() == material::COMPACT)
+        {
+            aT = mu_[materiali]*S/h;
+            aN = (mu_[materiali] + lambda_[materiali])*S/h;
+        }
+        else
+        {
+            aT = max(sqr(hMin[celli]/h), floor)*mu_[materiali]*S/h;
+            aN = 0;
+        }
+    };
+
+    forAll(mesh.faces(), facei)
+    {
+        if (geometry_.kind(facei) != fluxGeometry::IGNORED)
+        {
+            set(facei, own[facei], hOwn[facei], ownT_[facei], ownN_[facei]);
+            if (mesh.isInternalFace(facei))
+            {
+                set
+                (
+                    facei,
+                    nei[facei],
+                    hNei[facei],
+                    neiT_[facei],
+                    neiN_[facei]
+                );
+            }
+        }
+    }
+}
+
+
+void Foam::stressFlux::interpolate(const vectorField& u, vectorField& uf)
+{
+    gradient_.faceValues(u, uf);
+    gradient_.cellGradients(uf, grad_);
+    uf_ = uf;
+}
+
+
+void Foam::stressFlux::addInsideForces
+(
+    const vectorField& u,
+    vectorField& cellForce
+)
+{
+    jumpForces(u);
+
+    if (geometry_.skewed())
+    {
+        addSkewForces(cellForce);
+    }
+    else
+    {
+        addForces(cellForce);
+    }
+}
+
+
+Foam::scalar Foam::stressFlux::diffusion(const label facei) const
+{
+    const label celli = geometry_.mesh().faceOwner()[facei];
+
+    return
+        mu_[geometry_.materials().materialIndex(celli)]
+       *mag(geometry_.mesh().faceAreas()[facei])
+       /(geometry_.hOwn()[facei] + geometry_.hNei()[facei]);
+}
+
+
+Foam::scalar Foam::stressFlux::extraNormal(const label facei) const
+{
+    const label celli = geometry_.mesh().faceOwner()[facei];
+    const label materiali = geometry_.materials().materialIndex(celli);
+
+    return
+        (mu_[materiali] + lambda_[materiali])
+       *mag(geometry_.mesh().faceAreas()[facei])
+       /(geometry_.hOwn()[facei] + geometry_.hNei()[facei]);
+}
+
+
+Foam::scalar Foam::stressFlux::sideDiffusion
+(
+    const label facei,
+    const bool owner
+) const
+{
+    const fvMesh& mesh = geometry_.mesh();
+    const label celli =
+        owner ? mesh.faceOwner()[facei] : mesh.faceNeighbour()[facei];
+    const scalar h = owner ? geometry_.hOwn()[facei] : geometry_.hNei()[facei];
+
+    return
+        0.5
+       *(
+            mu_[geometry_.materials().materialIndex(celli)]
+           *mag(mesh.faceAreas()[facei])/h
+          + (owner ? ownT_[facei] : neiT_[facei])
+        );
+}
+
+
+Foam::scalar Foam::stressFlux::sideExtraNormal
+(
+    const label facei,
+    const bool owner
+) const
+{
+    const fvMesh& mesh = geometry_.mesh();
+    const label celli =
+        owner ? mesh.faceOwner()[facei] : mesh.faceNeighbour()[facei];
+    const label materiali = geometry_.materials().materialIndex(celli);
+    const scalar h = owner ? geometry_.hOwn()[facei] : geometry_.hNei()[facei];
+
+    return
+        0.5
+       *(
+            (mu_[materiali] + lambda_[materiali])
+           *mag(mesh.faceAreas()[facei])/h
+          + (owner ? ownN_[facei] : neiN_[facei])
+        );
+}
+
+
+// ************************************************************************* //
