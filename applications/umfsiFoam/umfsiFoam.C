@@ -1,0 +1,130 @@
+/*---------------------------------------------------------------------------*\
+  umfsiFoam: fluid-structure interaction with one momentum equation
+-------------------------------------------------------------------------------
+License
+    This file is part of umfsiFoam.
+
+    umfsiFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by
+    the Free Software Foundation, either version 3 of the License, or
+    (at your option) any later version.
+
+    umfsiFoam is distributed in the hope that it will be useful, but WITHOUT
+    ANY WARRANTY; without even the implied warranty of MERCHANTABILITY or
+    FITNESS FOR A PARTICULAR PURPOSE.  See the GNU General Public License
+    for more details.
+
+    You should have received a copy of the GNU General Public License
+    along with umfsiFoam.  If not, see <http://www.gnu.org/licenses/>.
+
+Application
+    umfsiFoam
+
+Group
+    grpUnifiedMomentum
+
+Description
+    Transient solver for incompressible laminar flow and linear-elastic solids
+    on one mesh at rest, with one momentum equation for both.
+
+    \heading Solver details
+    Every cell, fluid or solid, has the equation
+
+    \f[
+        \frac{\partial \rho U}{\partial t} + \nabla . J = f
+    \f]
+
+    and every face takes the fluid's or the solid's expression of the flux:
+
+    \f[
+        J = \rho U U - \mu (\nabla U + \nabla U^T) + p I, \quad
+        \nabla . U = 0 \quad \mathrm{(fluid)}
+    \f]
+    \f[
+        J = -[ G (\nabla D + \nabla D^T) + \lambda (\nabla . D) I ]
+        \quad \mathrm{(solid)}
+    \f]
+
+    The displacement follows the velocity, D = D* + beta dt U, so the velocity
+    is the only kinematic unknown. Velocity and traction are continuous across
+    an interface by construction. Valid for small displacements and strains.
+
+    Where:
+    \vartable
+        U       | Velocity of both materials [m/s]
+        p       | Pressure of the fluid [Pa], not divided by the density
+        D       | Displacement of the solid [m]
+        G, \lambda | Lame's constants [Pa]
+        f       | Body force [N/m3]: constant/g, fvOptions
+    \endvartable
+
+    \heading Required fields
+    \plaintable
+        U       | Velocity [m/s]
+        p       | Pressure [Pa]
+        D       | Displacement [m], optional
+    \endplaintable
+
+    \heading Required dictionaries
+    \plaintable
+        constant/materialProperties | materials of the cellZones
+        system/fvSchemes  | ddtSchemes: Euler or backward. Terms:
+                            ddt(U), div(phi,U)
+        system/fvSolution | solvers p, U (fluids), D (solids); PIMPLE
+    \endplaintable
+
+Reference
+    \verbatim
+    Gattu, J. "A unified momentum equation approach for fluid-structure
+    interaction (FSI) problems with stationary boundaries". MS thesis,
+    Michigan State University
+    \endverbatim
+
+\*---------------------------------------------------------------------------*/
+
+#include "fvCFD.H"
+#include "unifiedSystem.H"
+
+// * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
+
+int main(int argc, char *argv[])
+{
+    argList::addNote
+    (
+        "Incompressible laminar flow and linear-elastic solids on one mesh,"
+        " with one momentum equation."
+    );
+
+    #include "setRootCase.H"
+    #include "createTime.H"
+    #include "createMesh.H"
+
+    unifiedSystem system(mesh);
+
+    Info<< "Starting time loop" << nl << endl;
+
+    while (runTime.run())
+    {
+        system.limitDeltaT(runTime);
+        ++runTime;
+
+        system.predict();
+
+        while (system.picard())
+        {
+            system.solve();
+        }
+
+        system.updateDisplacement();
+        system.report();
+
+        runTime.write();
+    }
+
+    Info<< nl << "End" << nl << endl;
+
+    return 0;
+}
+
+
+// ************************************************************************* //
