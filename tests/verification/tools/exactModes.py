@@ -9,7 +9,7 @@ equations (verification list, B1 and B2) and carry the digits shown there.
 import cmath
 import math
 
-INTERFACE_SPEED = 1e-3          # m/s; small: the problems are linear
+INTERFACE_SPEED = 1e-6          # m/s; small: the exact problems are linear
 PHASE = cmath.exp(0.25j*math.pi)    # neither U nor D vanishes at t = 0
 
 

@@ -215,6 +215,39 @@ Foam::label Foam::flexibleGMRES::cycle
 }
 
 
+bool Foam::flexibleGMRES::plainSweep
+(
+    linearSystem& system,
+    unifiedVector& z,
+    unifiedVector& r
+)
+{
+    unifiedVector& dz = vectorOf(z_, 0, r);
+    unifiedVector& y = vectorOf(v_, 0, r);
+
+    system.precondition(r, dz);
+    system.apply(dz, y);
+
+    unifiedVector rNew(r);
+    rNew.add(-1, y);
+
+    const scalar before =
+        returnReduce(system.localDot(r, r), sumOp<scalar>());
+    const scalar after =
+        returnReduce(system.localDot(rNew, rNew), sumOp<scalar>());
+
+    if (!(after < before))
+    {
+        return false;
+    }
+
+    z.add(1, dz);
+    r = rNew;
+
+    return system.converged(z, r);
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::flexibleGMRES::flexibleGMRES(const dictionary& controls)
@@ -233,7 +266,7 @@ Foam::flexibleGMRES::performance Foam::flexibleGMRES::solve
     unifiedVector& r
 )
 {
-    performance perf{0, false};
+    performance perf{1, plainSweep(system, z, r)};
 
     while (!perf.converged && perf.nSweeps < maxSweeps_)
     {

@@ -24,6 +24,7 @@ License
 #include "basicSymmetryFvPatchField.H"
 #include "solidTractionFvPatchVectorField.H"
 #include "calculatedFvPatchFields.H"
+#include "fvcFlux.H"
 #include "localIOdictionary.H"
 #include "uniformDimensionedFields.H"
 
@@ -485,7 +486,8 @@ Foam::unifiedSystem::unifiedSystem(fvMesh& mesh)
     picard_(0),
     nSweeps_(0),
     krylovConverged_(true),
-    relative_(nBlocks, 0.0)
+    relative_(nBlocks, 0.0),
+    weight_(nBlocks, 1.0)
 {
     readControls();
     checkPatches();
@@ -546,10 +548,18 @@ Foam::unifiedSystem::unifiedSystem(fvMesh& mesh)
 
     if (!havePhi)
     {
-        flux_.setBetaDt(mesh.time().deltaTValue());
-        flux_.updateBoundary(U_, p_);
-        computeFlux(z_);
+        // Without the pressure's part: p need not belong to U at the start
+        phi_ = fvc::flux(U_);
     }
+
+    // From here on each step stores the level before it by itself
+    U_.oldTime();
+    p_.oldTime();
+    D_.oldTime();
+    phi_.oldTime();
+    Uf_.oldTime();
+    Df_.oldTime();
+    continuityError_.oldTime();
 
     // Fail on unknown schemes and solvers before the first step
     flux_.setBetaDt(mesh.time().deltaTValue());

@@ -141,6 +141,17 @@ void Foam::unifiedSystem::computeFlux(const unifiedVector& z)
 }
 
 
+Foam::label Foam::unifiedSystem::faceBlock(const label i) const
+{
+    const label facei = flux_.geometry().unknownFaces()[i];
+
+    return
+        flux_.geometry().kind(facei) == fluxGeometry::INTERFACE ? TRACTION
+      : materials_.solid(mesh_.faceOwner()[facei]) ? SOLID
+      : FLUID;
+}
+
+
 Foam::unifiedSystem::blockValues Foam::unifiedSystem::norms
 (
     const unifiedVector& v,
@@ -184,16 +195,8 @@ Foam::unifiedSystem::blockValues Foam::unifiedSystem::norms
 
     forAll(v.Uf, i)
     {
-        const label facei = geometry.unknownFaces()[i];
-        const bool solid = materials_.solid(mesh_.faceOwner()[facei]);
         const vector a(sweep_.faceDiag(i));
-
-        scalar& s =
-            sum
-            [
-                geometry.kind(facei) == fluxGeometry::INTERFACE ? TRACTION
-              : solid ? SOLID : FLUID
-            ];
+        scalar& s = sum[faceBlock(i)];
 
         for (direction k = 0; k < vector::nComponents; ++k)
         {
@@ -208,13 +211,14 @@ Foam::unifiedSystem::blockValues Foam::unifiedSystem::norms
 }
 
 
-Foam::unifiedSystem::blockValues Foam::unifiedSystem::relativeResiduals
+void Foam::unifiedSystem::relativeResiduals
 (
     const unifiedVector& z,
-    const unifiedVector& r
+    const unifiedVector& r,
+    blockValues& relative,
+    blockValues& scale
 ) const
 {
-    // One reduction for all sums
     unifiedVector dz(z);
     dz.add(-1, zOld_);
 
@@ -234,6 +238,7 @@ Foam::unifiedSystem::blockValues Foam::unifiedSystem::relativeResiduals
         norms(d, false)
     };
 
+    // One reduction for all sums
     scalarList all(4*nBlocks);
     forAll(all, i)
     {
@@ -242,29 +247,48 @@ Foam::unifiedSystem::blockValues Foam::unifiedSystem::relativeResiduals
     Pstream::listCombineGather(all, plusEqOp<scalar>());
     Pstream::listCombineScatter(all);
 
-    blockValues relative(nBlocks, 0.0);
+    relative.setSize(nBlocks);
+    scale.setSize(nBlocks);
 
     forAll(relative, i)
     {
+        // A velocity is the change of a solid's state (its displacement); it
+        // is not of a fluid's
+        const bool fluid = (i == FLUID || i == CONTINUITY);
         const scalar residual = sqrt(all[i]);
-        const scalar scale = max
+
+        scale[i] = max
         (
             sqrt(all[nBlocks + i]),
             max
             (
-                1e-3*sqrt(all[2*nBlocks + i]),
+                (fluid ? 1e-3 : 1)*sqrt(all[2*nBlocks + i]),
                 1e-6*sqrt(all[3*nBlocks + i])
             )
         );
 
         // No scale: nothing moves, and nothing may be left over
         relative[i] =
-            scale > VSMALL ? residual/scale
+            scale[i] > VSMALL ? residual/scale[i]
           : residual > VSMALL ? GREAT
           : residual;
     }
+}
 
-    return relative;
+
+void Foam::unifiedSystem::setBlockWeights()
+{
+    blockValues scale;
+    relativeResiduals(z_, r_, relative_, scale);
+
+    // A block that has not moved yet (first step) gets no more than this
+    // times the weight of the others
+    const scalar limit = 1e-4*max(scale);
+
+    forAll(weight_, i)
+    {
+        weight_[i] = limit > 0 ? 1/sqr(max(scale[i], limit)) : 1;
+    }
 }
 
 
@@ -422,7 +446,8 @@ bool Foam::unifiedSystem::picard()
         computeFlux(z_);
         freeze();
         op_.residual(z_, known_, r_);
-        relative_ = relativeResiduals(z_, r_);
+        blockValues scale;
+        relativeResiduals(z_, r_, relative_, scale);
 
         if (passes(relative_))
         {
@@ -438,6 +463,8 @@ bool Foam::unifiedSystem::picard()
 
 void Foam::unifiedSystem::solve()
 {
+    setBlockWeights();
+
     const flexibleGMRES::performance perf = krylov_.solve(*this, z_, r_);
 
     nSweeps_ += perf.nSweeps;
@@ -447,7 +474,8 @@ void Foam::unifiedSystem::solve()
 
 void Foam::unifiedSystem::updateDisplacement()
 {
-    relative_ = relativeResiduals(z_, r_);
+    blockValues scale;
+    relativeResiduals(z_, r_, relative_, scale);
     checkFinite();
 
     if (!passes(relative_))
@@ -585,16 +613,23 @@ Foam::scalar Foam::unifiedSystem::localDot
     const fluxGeometry& geometry = flux_.geometry();
     scalar sum = 0;
 
-    forAll(a.U, celli)
+    for (const bool solid : {false, true})
     {
-        const vector scaled(cmptDivide(b.U[celli], sweep_.diag()[celli]));
-        sum += a.U[celli] & scaled;
+        scalar part = 0;
+        for (const label celli : geometry.cellsAndFaces(solid).cells)
+        {
+            const vector scaled(cmptDivide(b.U[celli], sweep_.diag()[celli]));
+            part += a.U[celli] & scaled;
+        }
+        sum += weight_[solid ? SOLID : FLUID]*part;
     }
 
+    scalar part = 0;
     for (const label celli : geometry.cellsAndFaces(false).cells)
     {
-        sum += a.p[celli]*b.p[celli]/sweep_.pressureDiag(celli);
+        part += a.p[celli]*b.p[celli]/sweep_.pressureDiag(celli);
     }
+    sum += weight_[CONTINUITY]*part;
 
     forAll(a.Uf, i)
     {
@@ -602,7 +637,9 @@ Foam::scalar Foam::unifiedSystem::localDot
         if (diag.x() > VSMALL)
         {
             const vector scaled(cmptDivide(b.Uf[i], diag));
-            sum += geometry.unknownWeight()[i]*(a.Uf[i] & scaled);
+            sum +=
+                weight_[faceBlock(i)]*geometry.unknownWeight()[i]
+               *(a.Uf[i] & scaled);
         }
     }
 
@@ -616,7 +653,8 @@ bool Foam::unifiedSystem::converged
     const unifiedVector& r
 )
 {
-    const blockValues relative(relativeResiduals(z, r));
+    blockValues relative, scale;
+    relativeResiduals(z, r, relative, scale);
 
     if (flexibleGMRES::debug)
     {
