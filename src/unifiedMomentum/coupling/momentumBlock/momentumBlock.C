@@ -176,10 +176,12 @@ void Foam::momentumBlock::update
 
         if (!solid_)
         {
-            // Outflow through patches leaves with the cell's velocity
+            // Through patches flows what the condition makes of the cell's
+            // velocity: all of it with zeroGradient, in or out
             for (const label facei : zone.ownSides)
             {
-                cellCoeffs[own[facei]] += max(flux_.rhoPhi()[facei], 0);
+                cellCoeffs[own[facei]] +=
+                    flux_.rhoPhi()[facei]*flux_.internalCoeff()[facei][k];
             }
         }
 

@@ -241,8 +241,8 @@ Foam::label Foam::solidSolver::solve
     const fluxGeometry::zone& solid = geometry.cellsAndFaces(true);
 
     const scalar tolerance =
-        controls.getOrDefault<scalar>("solidTolerance", 0.1);
-    const label maxIter = controls.getOrDefault<label>("solidMaxIter", 20);
+        controls.getOrDefault<scalar>("solidTolerance", 0.01);
+    const label maxIter = controls.getOrDefault<label>("solidMaxIter", 1000);
 
     // Rows with the force of the cell's own side: what symmetry needs
     r_.setZero();

@@ -87,28 +87,17 @@ void Foam::sweep::setPressure()
     const fluxGeometry::zone& fluid = geometry.cellsAndFaces(false);
     const pressureFlux& pressure = op_.flux().pressure();
     const scalarField& w = geometry.w();
-    const Vector<label>& solved = mesh.solutionD();
-
     for (const label celli : fluid.cells)
     {
-        scalar a = 0;
-        label n = 0;
-        for (direction k = 0; k < vector::nComponents; ++k)
-        {
-            if (solved[k] > 0)
-            {
-                a += diag_[celli][k];
-                ++n;
-            }
-        }
+        // Between V/a_P and beta dt/rho, which are right for rough and for
+        // smooth changes. a_P without convection: with it the smooth ones
+        // would be far off at high Courant numbers
+        const scalar slow =
+            op_.flux().betaDt()/geometry.materials()[celli].rho();
+        const scalar fast =
+            geometry.V()[celli]/op_.flux().stokesDiag()[celli];
 
-        // Between V/a_P and beta dt/rho, which are right for slow and for
-        // fast changes
-        D_[celli] = sqrt
-        (
-            geometry.V()[celli]*n/a
-           *op_.flux().betaDt()/geometry.materials()[celli].rho()
-        );
+        D_[celli] = pow(fast, 0.25)*pow(slow, 0.75);
     }
 
     const auto coefficient = [&](const label facei, const scalar DN)
@@ -368,6 +357,7 @@ Foam::sweep::sweep(unifiedOperator& op)
     solid_(op, solidMomentum_, ownSide_, neiSide_),
     betaDt_(-1),
     r_(op.geometry().mesh().nCells(), ownSide_.size()),
+    correction_(r_),
     rp_(op.geometry().mesh().nCells(), 0),
     dp_(rp_),
     gradDp_(op.geometry().mesh().nCells(), Zero)
@@ -439,8 +429,6 @@ void Foam::sweep::update()
 
 void Foam::sweep::apply(const unifiedVector& r, unifiedVector& dz)
 {
-    const fluxGeometry& geometry = op_.geometry();
-
     dz.setZero();
 
     if (solidZone_.valid())
@@ -464,12 +452,12 @@ void Foam::sweep::apply(const unifiedVector& r, unifiedVector& dz)
         {
             // What the pressure has left in the fluid's momentum
             op_.apply(dz, r_);
+            r_.scale(-1);
+            r_.add(1, r);
 
-            for (const label celli : geometry.cellsAndFaces(false).cells)
-            {
-                dz.U[celli] +=
-                    cmptDivide(r.U[celli] - r_.U[celli], diag_[celli]);
-            }
+            correction_.setZero();
+            solveFluid(r_, correction_);
+            dz.add(1, correction_);
         }
 
         op_.applyContinuity(dz, rp_);

@@ -24,8 +24,10 @@ License
 #include "basicSymmetryFvPatchField.H"
 #include "solidTractionFvPatchVectorField.H"
 #include "calculatedFvPatchFields.H"
+#include "emptyFvPatch.H"
 #include "fvcFlux.H"
 #include "localIOdictionary.H"
+#include "sigFpe.H"
 #include "uniformDimensionedFields.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -59,6 +61,16 @@ namespace Foam
     }
 
 
+    //- Is the field in the time directory?
+    template<class FieldType>
+    static bool onDisk(const FieldType& field)
+    {
+        return
+            fieldIO(field.name(), field.mesh(), IOobject::MUST_READ)
+           .template typeHeaderOk<FieldType>(true);
+    }
+
+
     //- Fail on a patch condition, naming file and patch
     template<class FieldType>
     static void refusePatch
@@ -85,6 +97,45 @@ namespace Foam
             << ": " << why.c_str() << nl
             << "    Valid choices: " << choices.c_str()
             << exit(FatalIOError);
+    }
+
+
+    //- Fail on an entry that means nothing
+    static void checkEntries(const dictionary& dict, const wordList& known)
+    {
+        for (const entry& e : dict)
+        {
+            if (!known.found(e.keyword()))
+            {
+                FatalIOErrorInFunction(dict)
+                    << "Unknown entry '" << e.keyword() << "'" << nl
+                    << "    Valid choices: " << flatOutput(known)
+                    << exit(FatalIOError);
+            }
+        }
+    }
+
+
+    //- Read a whole number, fail if it is too small
+    static label checkRange
+    (
+        const dictionary& dict,
+        const word& entry,
+        const label defaultValue,
+        const label smallest
+    )
+    {
+        const label value = dict.getOrDefault<label>(entry, defaultValue);
+
+        if (value < smallest)
+        {
+            FatalIOErrorInFunction(dict)
+                << "Entry '" << entry << "' is " << value << nl
+                << "    Valid choices: " << smallest << " and above"
+                << exit(FatalIOError);
+        }
+
+        return value;
     }
 
 
@@ -121,12 +172,25 @@ void Foam::unifiedSystem::readControls()
 {
     const dictionary& pimple = mesh_.solutionDict().subDict("PIMPLE");
 
-    nOuterCorrectors_ = pimple.getOrDefault<label>("nOuterCorrectors", 1);
-    if (nOuterCorrectors_ < 1)
+    nOuterCorrectors_ = checkRange(pimple, "nOuterCorrectors", 1, 1);
+    checkRange(pimple, "nCorrectors", 2, 1);
+    checkRange(pimple, "nNonOrthogonalCorrectors", 0, 0);
+
+    const dictionary krylov(pimple.subOrEmptyDict("krylov"));
+    checkEntries
+    (
+        krylov,
+        {"maxSweeps", "nVectors", "solidTolerance", "solidMaxIter"}
+    );
+    checkRange(krylov, "solidMaxIter", 1000, 0);
+
+    const scalar solidTolerance =
+        krylov.getOrDefault<scalar>("solidTolerance", 0.01);
+    if (!(solidTolerance > 0 && solidTolerance < 1))
     {
-        FatalIOErrorInFunction(pimple)
-            << "Entry 'nOuterCorrectors' is " << nOuterCorrectors_ << nl
-            << "    Valid choices: 1 and above"
+        FatalIOErrorInFunction(krylov)
+            << "Entry 'solidTolerance' is " << solidTolerance << nl
+            << "    Valid choices: between 0 and 1"
             << exit(FatalIOError);
     }
 
@@ -142,17 +206,7 @@ void Foam::unifiedSystem::readControls()
 
     const dictionary& control = pimple.subOrEmptyDict("residualControl");
 
-    for (const entry& e : control)
-    {
-        if (!blockNames.found(e.keyword()))
-        {
-            FatalIOErrorInFunction(control)
-                << "Unknown entry '" << e.keyword() << "'" << nl
-                << "    Valid choices: "
-                << flatOutput(blockNames)
-                << exit(FatalIOError);
-        }
-    }
+    checkEntries(control, blockNames);
 
     forAll(tolerance_, i)
     {
@@ -172,6 +226,7 @@ void Foam::unifiedSystem::readControls()
 void Foam::unifiedSystem::checkPatches() const
 {
     checkDimensions(U_, dimVelocity, "[0 1 -1 0 0 0 0]");
+    checkDimensions(D_, dimLength, "[0 1 0 0 0 0 0]");
     checkDimensions
     (
         p_,
@@ -185,7 +240,8 @@ void Foam::unifiedSystem::checkPatches() const
         const fvPatchVectorField& U = U_.boundaryField()[patchi];
         const fvPatchScalarField& p = p_.boundaryField()[patchi];
 
-        if (U.coupled() || U.empty())
+        // The same patches on all processes: not those without faces here
+        if (U.coupled() || isA<emptyFvPatch>(U.patch()))
         {
             continue;
         }
@@ -201,7 +257,11 @@ void Foam::unifiedSystem::checkPatches() const
         const bool traction = isA<solidTractionFvPatchVectorField>(U);
         const bool slips = isA<basicSymmetryFvPatchField<vector>>(U);
 
-        if (touchesSolid && !(traction || slips || U.fixesValue()))
+        if
+        (
+            touchesSolid
+        && !(traction || slips || isA<fixedValueFvPatchVectorField>(U))
+        )
         {
             refusePatch
             (
@@ -421,7 +481,8 @@ void Foam::unifiedSystem::unknownsToFields()
 
 Foam::unifiedSystem::unifiedSystem(fvMesh& mesh)
 :
-    mesh_(mesh),
+    // Traps off: a number that is none shall end the run with a message
+    mesh_((sigFpe::unset(), mesh)),
     p_(fieldIO("p", mesh, IOobject::MUST_READ), mesh),
     U_(fieldIO("U", mesh, IOobject::MUST_READ), mesh),
     materials_(mesh),
@@ -529,12 +590,14 @@ Foam::unifiedSystem::unifiedSystem(fvMesh& mesh)
         ).value();
     }
 
-    const bool haveUf = Uf_.nOldTimes() > 0;
-    const bool haveDf = Df_.nOldTimes() > 0;
-    const bool havePhi = phi_.nOldTimes() > 0;
+    const bool haveUf = onDisk(Uf_);
+    const bool haveDf = onDisk(Df_);
+    const bool havePhi = onDisk(phi_);
 
-    // The previous level is read with the fields at a restart
-    haveOldOld_ = haveUf && haveDf && havePhi;
+    // A restart reads the previous levels with the fields
+    haveOldOld_ =
+        haveUf && haveDf && havePhi
+     && Uf_.nOldTimes() > 0 && Df_.nOldTimes() > 0 && phi_.nOldTimes() > 0;
 
     startFaces(haveUf, haveDf);
 

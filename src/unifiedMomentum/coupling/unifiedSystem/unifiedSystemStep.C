@@ -22,7 +22,10 @@ License
 #include "unifiedSystem.H"
 #include "faceValue.H"
 #include "constrainPressure.H"
+#include <iomanip>
+#include <sstream>
 #include "fixedFluxPressureFvPatchScalarField.H"
+#include "solidTractionFvPatchVectorField.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -63,6 +66,17 @@ void Foam::unifiedSystem::setKnown()
     const surfaceVectorField& Df00 = Df0.oldTime();
     const volScalarField& e0 = continuityError_.oldTime();
     const volScalarField& e00 = e0.oldTime();
+
+    // OpenFOAM writes old levels from the third step on; an exact restart
+    // needs them from the first
+    U_.oldTime().writeOpt() = IOobject::AUTO_WRITE;
+    p_.oldTime().writeOpt() = IOobject::AUTO_WRITE;
+    D_.oldTime().writeOpt() = IOobject::AUTO_WRITE;
+    phi_.oldTime().writeOpt() = IOobject::AUTO_WRITE;
+    Uf_.oldTime().writeOpt() = IOobject::AUTO_WRITE;
+    Df_.oldTime().writeOpt() = IOobject::AUTO_WRITE;
+    continuityError_.oldTime().writeOpt() = IOobject::AUTO_WRITE;
+
     const scalarField& V = flux_.geometry().V();
 
     forAll(known_.U, celli)
@@ -263,7 +277,7 @@ void Foam::unifiedSystem::relativeResiduals
             max
             (
                 (fluid ? 1e-3 : 1)*sqrt(all[2*nBlocks + i]),
-                1e-6*sqrt(all[3*nBlocks + i])
+                1e-3*sqrt(all[3*nBlocks + i])
             )
         );
 
@@ -390,6 +404,7 @@ void Foam::unifiedSystem::predict()
 
     if (!haveOldOld_)
     {
+        startBoundary();
         freeze();
         op_.residual(z_, known_, r_);
     }
@@ -409,6 +424,7 @@ void Foam::unifiedSystem::predict()
         start.add(1 + ratio, zOld_);
 
         phi_ == (1 + ratio)*phi0 - ratio*phi00;
+        startBoundary();
         freeze();
 
         // An extrapolation over a sudden change would start further off
@@ -464,6 +480,7 @@ bool Foam::unifiedSystem::picard()
 void Foam::unifiedSystem::solve()
 {
     setBlockWeights();
+    checkFinite();
 
     const flexibleGMRES::performance perf = krylov_.solve(*this, z_, r_);
 
@@ -571,20 +588,26 @@ void Foam::unifiedSystem::report() const
         (time.value() - start)/max(time.endTime().value() - start, VSMALL);
     const scalar elapsed = time.elapsedCpuTime();
 
-    Info<< "Time = " << time.timeName()
-        << "  " << round(1000*done)/10 << " %"
+    // Few digits: the precision of the fields would make the line unreadable
+    std::ostringstream line;
+    line
+        << "Time = " << time.timeName() << std::setprecision(3)
+        << "  " << 100*done << " %"
         << "  Co " << courantNumber()
         << "  Picard " << picard_
         << "  sweeps " << nSweeps_;
 
     forAll(relative_, i)
     {
-        Info<< "  " << blockNames[i] << ' ' << relative_[i];
+        line<< "  " << blockNames[i] << ' ' << relative_[i];
     }
 
-    Info<< "  elapsed " << round(10*elapsed)/10 << " s"
-        << "  remaining " << round(10*elapsed*(1/done - 1))/10 << " s"
-        << endl;
+    line
+        << std::fixed << std::setprecision(1)
+        << "  elapsed " << elapsed << " s"
+        << "  remaining " << max(elapsed*(1/done - 1), 0.0) << " s";
+
+    Info<< line.str().c_str() << endl;
 }
 
 
@@ -688,6 +711,35 @@ void Foam::unifiedSystem::correctBoundary()
 
     setPressureGradients();
     p_.correctBoundaryConditions();
+}
+
+
+void Foam::unifiedSystem::startBoundary()
+{
+    correctBoundary();
+
+    // Where the condition gives U it gives the flux too: no extrapolation
+    surfaceScalarField::Boundary& phib = phi_.boundaryFieldRef();
+
+    forAll(phib, patchi)
+    {
+        const fvPatchVectorField& U = U_.boundaryField()[patchi];
+
+        if
+        (
+            isA<fixedValueFvPatchVectorField>(U)
+        && !isA<solidTractionFvPatchVectorField>(U)
+        )
+        {
+            forAll(phib[patchi], i)
+            {
+                const label celli = U.patch().faceCells()[i];
+
+                phib[patchi][i] =
+                    materials_.solid(celli) ? 0 : U[i] & U.patch().Sf()[i];
+            }
+        }
+    }
 }
 
 

@@ -66,7 +66,7 @@ Foam::materials::linearElastic::linearElastic
     const kinematicsType kinematics
 )
 :
-    material(name, dict, LOCKING_FREE),
+    material(name, dict, LOCKING_FREE, {"E", "nu"}),
     kinematics_(kinematics),
     E_(readAbove(dict, "E", 0)),
     nu_(readPoisson(dict))

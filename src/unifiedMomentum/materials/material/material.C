@@ -47,6 +47,29 @@ Foam::material::faceStiffnessNames
 
 // * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
 
+void Foam::material::checkEntries
+(
+    const dictionary& dict,
+    const wordList& entriesOfLaw
+)
+{
+    wordList known({"type", "cellZones", "rho", "faceStiffness"});
+    known.append(entriesOfLaw);
+
+    for (const entry& e : dict)
+    {
+        if (!known.found(e.keyword()))
+        {
+            FatalIOErrorInFunction(dict)
+                << "Unknown entry '" << e.keyword() << "' of material "
+                << dict.dictName() << nl
+                << "    Valid choices: " << flatOutput(known)
+                << exit(FatalIOError);
+        }
+    }
+}
+
+
 Foam::scalar Foam::material::readAbove
 (
     const dictionary& dict,
@@ -62,7 +85,8 @@ Foam::scalar Foam::material::readAbove
         FatalIOErrorInFunction(dict)
             << "Entry '" << entry << "' of material " << dict.dictName()
             << " is " << value << nl
-            << "    Valid choices: any number above " << limit
+            << "    Valid choices: any number "
+            << (limit < 0 ? "from 0 on" : "above 0")
             << exit(FatalIOError);
     }
 
@@ -76,7 +100,8 @@ Foam::material::material
 (
     const word& name,
     const dictionary& dict,
-    const faceStiffnessType defaultStiffness
+    const faceStiffnessType defaultStiffness,
+    const wordList& entriesOfLaw
 )
 :
     name_(name),
@@ -91,7 +116,9 @@ Foam::material::material
             defaultStiffness
         )
     )
-{}
+{
+    checkEntries(dict, entriesOfLaw);
+}
 
 
 // * * * * * * * * * * * * * * * * Selectors * * * * * * * * * * * * * * * * //

@@ -178,6 +178,8 @@ void Foam::materialZones::assignCells()
 void Foam::materialZones::checkFluidsApart() const
 {
     label nTouching = 0;
+    label first = -1;
+    label second = -1;
 
     const labelList nbr(boundaryNeighbour());
 
@@ -192,16 +194,22 @@ void Foam::materialZones::checkFluidsApart() const
         if (own != nei && !materials_[own].solid() && !materials_[nei].solid())
         {
             ++nTouching;
+            first = min(own, nei);
+            second = max(own, nei);
         }
     }
 
     reduce(nTouching, sumOp<label>());
+    reduce(first, maxOp<label>());
+    reduce(second, maxOp<label>());
 
     if (nTouching)
     {
         FatalIOErrorInFunction(*this)
-            << "Two different fluids touch each other at " << nTouching
-            << " faces (counted from both sides of a processor boundary)" << nl
+            << "Entries 'cellZones' of the fluids "
+            << materials_[first].name() << " and "
+            << materials_[second].name() << ": these touch each other at "
+            << nTouching << " faces" << nl
             << "    Valid choices: one fluid, or fluids separated by a solid"
             << exit(FatalIOError);
     }

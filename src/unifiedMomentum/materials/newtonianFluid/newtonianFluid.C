@@ -43,7 +43,7 @@ Foam::materials::newtonianFluid::newtonianFluid
     const kinematicsType
 )
 :
-    material(name, dict, COMPACT),
+    material(name, dict, COMPACT, {"mu"}),
     // an inviscid fluid is valid
     mu_(readAbove(dict, "mu", -VSMALL))
 {}

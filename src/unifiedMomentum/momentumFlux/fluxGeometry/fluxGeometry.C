@@ -21,9 +21,29 @@ License
 
 #include "fluxGeometry.H"
 #include "basicSymmetryFvPatchField.H"
+#include "cyclicAMIFvPatch.H"
 #include "emptyFvPatch.H"
 #include "wedgeFvPatch.H"
 #include "solidTractionFvPatchVectorField.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+    //- Fail on a patch type that is not supported
+    static void refusePatchType(const fvPatch& patch, const string& choices)
+    {
+        const polyBoundaryMesh& patches = patch.patch().boundaryMesh();
+        const dictionary file(fileName(patches.objectPath()));
+
+        FatalIOErrorInFunction(file)
+            << "Entry 'type' of patch " << patch.name() << " is "
+            << patch.type() << nl
+            << "    Valid choices: " << choices.c_str()
+            << exit(FatalIOError);
+    }
+}
+
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -40,11 +60,12 @@ Foam::fluxGeometry::faceKind Foam::fluxGeometry::patchKind
     }
     else if (isA<wedgeFvPatch>(patch))
     {
-        FatalErrorInFunction
-            << "Patch " << patch.name() << " is of type wedge" << nl
-            << "    Valid choices: any other type; an axisymmetric case is"
-            << " solved as a 3-D sector with symmetryPlane sides"
-            << exit(FatalError);
+        refusePatchType
+        (
+            patch,
+            "any other type; an axisymmetric case is solved as a 3-D sector"
+            " with symmetryPlane sides"
+        );
     }
     else if (isA<solidTractionFvPatchVectorField>(U))
     {
@@ -81,6 +102,11 @@ void Foam::fluxGeometry::setKinds(const volVectorField& U)
         const fvPatchVectorField& Up = U.boundaryField()[patchi];
         const polyPatch& pp = Up.patch().patch();
         const faceKind kind = Up.coupled() ? INSIDE : patchKind(Up);
+
+        if (isA<cyclicAMIFvPatch>(Up.patch()))
+        {
+            refusePatchType(Up.patch(), "cyclic, with faces that match");
+        }
 
         forAll(pp, i)
         {

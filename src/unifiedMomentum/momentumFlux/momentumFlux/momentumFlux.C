@@ -79,7 +79,8 @@ void Foam::momentumFlux::setRhieChow()
     const fluxGeometry::zone& fluid = geometry_.cellsAndFaces(false);
 
     // rho V/(beta dt) + viscous coefficients
-    scalarField a(mesh.nCells(), 0);
+    scalarField& a = stokesDiag_;
+    a = 0;
 
     for (const label celli : fluid.cells)
     {
@@ -232,6 +233,7 @@ Foam::momentumFlux::momentumFlux
     rhoPhi_(U.mesh().nFaces(), 0),
     convectionWeight_(rhoPhi_),
     convectionCorrection_(internalCoeff_),
+    stokesDiag_(U.mesh().nCells(), 0),
     ownShareT_(geometry_.unknownFaces().size(), 0),
     ownShareN_(ownShareT_),
     uFluid_(internalCoeff_),

@@ -21,6 +21,7 @@ License
 
 #include "pressureFlux.H"
 #include "basicSymmetryFvPatchField.H"
+#include "calculatedFvPatchFields.H"
 #include "fixedFluxPressureFvPatchScalarField.H"
 #include "fixedFluxExtrapolatedPressureFvPatchScalarField.H"
 
@@ -183,7 +184,13 @@ void Foam::pressureFlux::updateBoundary(const volScalarField& p)
     {
         const fvPatchScalarField& pp = p.boundaryField()[patchi];
 
-        if (pp.coupled() || pp.empty())
+        // On patches of solids p may be calculated
+        if
+        (
+            pp.coupled()
+         || pp.empty()
+         || isA<calculatedFvPatchField<scalar>>(pp)
+        )
         {
             continue;
         }
