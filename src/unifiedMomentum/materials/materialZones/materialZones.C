@@ -206,7 +206,7 @@ void Foam::materialZones::checkFluidsApart() const
     if (nTouching)
     {
         FatalIOErrorInFunction(*this)
-            << "Entries 'cellZones' of the fluids "
+            << "Entries 'cellZones' of different fluids, "
             << materials_[first].name() << " and "
             << materials_[second].name() << ": these touch each other at "
             << nTouching << " faces" << nl
