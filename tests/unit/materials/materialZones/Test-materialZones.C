@@ -156,7 +156,7 @@ int main()
         mesh,
         water + oil
       + "steel { type linearElastic; cellZones (top); rho 1; E 1; nu 0; }",
-        "Two different fluids",
+        "different fluids, water and oil",
         "two fluids that touch"
     );
 
