@@ -615,14 +615,15 @@ Foam::unifiedSystem::unifiedSystem(fvMesh& mesh)
         phi_ = fvc::flux(U_);
     }
 
-    // From here on each step stores the level before it by itself
-    U_.oldTime();
-    p_.oldTime();
-    D_.oldTime();
-    phi_.oldTime();
-    Uf_.oldTime();
-    Df_.oldTime();
-    continuityError_.oldTime();
+    // From here on each step stores the two levels before it by itself, and
+    // the first of them is written
+    U_.oldTime().oldTime();
+    p_.oldTime().oldTime();
+    D_.oldTime().oldTime();
+    phi_.oldTime().oldTime();
+    Uf_.oldTime().oldTime();
+    Df_.oldTime().oldTime();
+    continuityError_.oldTime().oldTime();
 
     // Fail on unknown schemes and solvers before the first step
     flux_.setBetaDt(mesh.time().deltaTValue());

@@ -66,17 +66,6 @@ void Foam::unifiedSystem::setKnown()
     const surfaceVectorField& Df00 = Df0.oldTime();
     const volScalarField& e0 = continuityError_.oldTime();
     const volScalarField& e00 = e0.oldTime();
-
-    // OpenFOAM writes old levels from the third step on; an exact restart
-    // needs them from the first
-    U_.oldTime().writeOpt() = IOobject::AUTO_WRITE;
-    p_.oldTime().writeOpt() = IOobject::AUTO_WRITE;
-    D_.oldTime().writeOpt() = IOobject::AUTO_WRITE;
-    phi_.oldTime().writeOpt() = IOobject::AUTO_WRITE;
-    Uf_.oldTime().writeOpt() = IOobject::AUTO_WRITE;
-    Df_.oldTime().writeOpt() = IOobject::AUTO_WRITE;
-    continuityError_.oldTime().writeOpt() = IOobject::AUTO_WRITE;
-
     const scalarField& V = flux_.geometry().V();
 
     forAll(known_.U, celli)
