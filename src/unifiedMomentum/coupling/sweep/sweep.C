@@ -75,6 +75,17 @@ void Foam::sweep::setSides()
             neiSide_[i] = beyond[facei - mesh.nInternalFaces()];
         }
     }
+
+    for (const interfaceCompliance::wallFace& wall : compliance_.walls())
+    {
+        const bool ownerFluid =
+            wall.fluidCell >= 0
+          ? mesh.faceOwner()[wall.facei] == wall.fluidCell
+          : mesh.faceOwner()[wall.facei] != wall.solidCell;
+
+        solidSide_[wall.i] =
+            ownerFluid ? neiSide_[wall.i] : ownSide_[wall.i];
+    }
 }
 
 
@@ -351,6 +362,7 @@ Foam::sweep::sweep(unifiedOperator& op)
     compliance_(op.flux(), solidZone_),
     ownSide_(op.geometry().unknownFaces().size(), Zero),
     neiSide_(ownSide_),
+    solidSide_(ownSide_),
     diag_(op.geometry().mesh().nCells(), vector::one),
     D_(op.geometry().mesh().nCells(), 0),
     faceD_(op.geometry().mesh().nFaces(), 0),
@@ -451,9 +463,8 @@ void Foam::sweep::apply(const unifiedVector& r, unifiedVector& dz)
         if (corr > 0)
         {
             // What the pressure has left in the fluid's momentum
-            op_.apply(dz, r_);
-            r_.scale(-1);
-            r_.add(1, r);
+            op_.applyFluid(dz, solidSide_, r_.U);
+            r_.U = r.U - r_.U;
 
             correction_.setZero();
             solveFluid(r_, correction_);

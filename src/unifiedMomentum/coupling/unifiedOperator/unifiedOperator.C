@@ -63,6 +63,66 @@ void Foam::unifiedOperator::applyContinuity
 }
 
 
+void Foam::unifiedOperator::applyFluid
+(
+    const unifiedVector& v,
+    const vectorField& solidSide,
+    vectorField& y
+)
+{
+    const fvMesh& mesh = geometry().mesh();
+    const labelUList& own = mesh.faceOwner();
+    const labelUList& nei = mesh.faceNeighbour();
+    const fluxGeometry::zone& fluid = geometry().cellsAndFaces(false);
+
+    y = Zero;
+    flux_.evaluateFluid(v, true, y);
+
+    const vectorField beyond(geometry().neighbourValues(v.U));
+
+    const auto force = [&](const label facei, const bool owner)
+    {
+        const vector& F = flux_.sideForce(owner)[facei];
+        const label i = geometry().unknownIndex()[facei];
+
+        if (i < 0)
+        {
+            return F;
+        }
+        else if (geometry().kind(facei) == fluxGeometry::SLIP)
+        {
+            const vector& n = geometry().n()[facei];
+            return vector((F & n)*n);
+        }
+
+        const vector& uS =
+            !owner ? v.U[own[facei]]
+          : mesh.isInternalFace(facei) ? v.U[nei[facei]]
+          : beyond[facei - mesh.nInternalFaces()];
+
+        const vector R(F + cmptMultiply(solidSide[i], v.Uf[i] - uS));
+
+        return F - flux_.shareOf(i, owner, R);
+    };
+
+    for (const label facei : fluid.ownSides)
+    {
+        y[own[facei]] += force(facei, true);
+    }
+    for (const label facei : fluid.neiSides)
+    {
+        y[nei[facei]] += force(facei, false);
+    }
+
+    for (const label celli : fluid.cells)
+    {
+        y[celli] =
+            (mass_[celli]/flux_.betaDt() + source_[celli])*v.U[celli]
+          - y[celli];
+    }
+}
+
+
 void Foam::unifiedOperator::applySolid
 (
     const unifiedVector& v,

@@ -548,6 +548,7 @@ Foam::unifiedSystem::unifiedSystem(fvMesh& mesh)
     nSweeps_(0),
     krylovConverged_(true),
     relative_(nBlocks, 0.0),
+    elastic_(nBlocks, 0.0),
     weight_(nBlocks, 1.0)
 {
     readControls();

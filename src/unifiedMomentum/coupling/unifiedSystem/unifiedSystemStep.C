@@ -119,6 +119,15 @@ void Foam::unifiedSystem::freeze()
     }
 
     sweep_.update();
+
+    // Displacement as a velocity, D/(beta dt): the size of the elastic force
+    unifiedVector d(z_.U.size(), z_.Uf.size());
+    d.U = known_.D.cells;
+    forAll(d.Uf, i)
+    {
+        d.Uf[i] = known_.D.faces[flux_.geometry().unknownFaces()[i]];
+    }
+    elastic_ = norms(d, false);
 }
 
 
@@ -225,20 +234,12 @@ void Foam::unifiedSystem::relativeResiduals
     unifiedVector dz(z);
     dz.add(-1, zOld_);
 
-    // Displacement as a velocity, D/(beta dt): the elastic force
-    unifiedVector d(z_.U.size(), z_.Uf.size());
-    d.U = known_.D.cells;
-    forAll(d.Uf, i)
-    {
-        d.Uf[i] = known_.D.faces[flux_.geometry().unknownFaces()[i]];
-    }
-
     const blockValues parts[] =
     {
         norms(r, true),
         norms(dz, false),
         norms(z, false),
-        norms(d, false)
+        elastic_
     };
 
     // One reduction for all sums

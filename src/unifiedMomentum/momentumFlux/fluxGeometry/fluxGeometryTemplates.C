@@ -40,6 +40,11 @@ Foam::tmp<Foam::Field<Type>> Foam::fluxGeometry::neighbourValues
     const Field<Type>& cells
 ) const
 {
+    if (!anyCoupled_)
+    {
+        return tmp<Field<Type>>(new Field<Type>());
+    }
+
     const label nInternal = mesh_.nInternalFaces();
 
     tmp<Field<Type>> tvalues(new Field<Type>(mesh_.nFaces() - nInternal));
@@ -62,6 +67,11 @@ Foam::tmp<Foam::Field<Type>> Foam::fluxGeometry::neighbourSides
     const Field<Type>& faces
 ) const
 {
+    if (!anyCoupled_)
+    {
+        return tmp<Field<Type>>(new Field<Type>());
+    }
+
     const label nInternal = mesh_.nInternalFaces();
 
     tmp<Field<Type>> tvalues
