@@ -1,0 +1,292 @@
+/*---------------------------------------------------------------------------*\
+  umfsiFoam: fluid-structure interaction with one momentum equation
+-------------------------------------------------------------------------------
+License
+    This file is part of umfsiFoam.
+
+    umfsiFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by
+    the Free Software Foundation, either version 3 of the License, or
+    (at your option) any later version.
+
+    umfsiFoam is distributed in the hope that it will be useful, but WITHOUT
+    ANY WARRANTY; without even the implied warranty of MERCHANTABILITY or
+    FITNESS FOR A PARTICULAR PURPOSE.  See the GNU General Public License
+    for more details.
+
+    You should have received a copy of the GNU General Public License
+    along with umfsiFoam.  If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "unifiedSystem.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::label Foam::unifiedSystem::faceBlock(const label i) const
+{
+    const label facei = flux_.geometry().unknownFaces()[i];
+
+    return
+        flux_.geometry().kind(facei) == fluxGeometry::INTERFACE ? TRACTION
+      : materials_.solid(mesh_.faceOwner()[facei]) ? SOLID
+      : FLUID;
+}
+
+
+Foam::unifiedSystem::blockValues Foam::unifiedSystem::norms
+(
+    const unifiedVector& v,
+    const bool residual
+) const
+{
+    const fluxGeometry& geometry = flux_.geometry();
+    const Vector<label>& solved = mesh_.solutionD();
+
+    const auto weighted = [residual](const scalar value, const scalar diag)
+    {
+        return
+            diag < VSMALL ? 0
+          : residual ? sqr(value)/diag
+          : sqr(value)*diag;
+    };
+
+    blockValues sum(nBlocks, 0.0);
+
+    for (const bool solid : {false, true})
+    {
+        scalar& s = sum[solid ? SOLID : FLUID];
+
+        for (const label celli : geometry.cellsAndFaces(solid).cells)
+        {
+            for (direction k = 0; k < vector::nComponents; ++k)
+            {
+                if (solved[k] > 0)
+                {
+                    s += weighted(v.U[celli][k], sweep_.diag()[celli][k]);
+                }
+            }
+        }
+    }
+
+    for (const label celli : geometry.cellsAndFaces(false).cells)
+    {
+        sum[CONTINUITY] +=
+            weighted(v.p[celli], sweep_.pressureDiag(celli));
+    }
+
+    forAll(v.Uf, i)
+    {
+        const vector a(sweep_.faceDiag(i));
+        scalar& s = sum[faceBlock(i)];
+
+        for (direction k = 0; k < vector::nComponents; ++k)
+        {
+            if (solved[k] > 0)
+            {
+                s += geometry.unknownWeight()[i]*weighted(v.Uf[i][k], a[k]);
+            }
+        }
+    }
+
+    return sum;
+}
+
+
+void Foam::unifiedSystem::relativeResiduals
+(
+    const unifiedVector& z,
+    const unifiedVector& r,
+    blockValues& relative,
+    blockValues& scale
+) const
+{
+    unifiedVector dz(z);
+    dz.add(-1, zOld_);
+
+    const blockValues parts[] =
+    {
+        norms(r, true),
+        norms(dz, false),
+        norms(z, false),
+        elastic_
+    };
+
+    // One reduction for all sums
+    scalarList all(4*nBlocks);
+    forAll(all, i)
+    {
+        all[i] = parts[i/nBlocks][i % nBlocks];
+    }
+    Pstream::listCombineGather(all, plusEqOp<scalar>());
+    Pstream::listCombineScatter(all);
+
+    relative.setSize(nBlocks);
+    scale.setSize(nBlocks);
+
+    forAll(relative, i)
+    {
+        // A velocity is the change of a solid's state (its displacement); it
+        // is not of a fluid's
+        const bool fluid = (i == FLUID || i == CONTINUITY);
+
+        scale[i] = max
+        (
+            sqrt(all[nBlocks + i]),
+            max
+            (
+                (fluid ? 1e-3 : 1)*sqrt(all[2*nBlocks + i]),
+                1e-3*sqrt(all[3*nBlocks + i])
+            )
+        );
+    }
+
+    // All norms are square roots of a power [W], so that blocks compare. One
+    // in which nothing happens (pressure in pure shear, a fluid at rest) is
+    // not asked for digits below the round-off of the others
+    scale[CONTINUITY] = max(scale[CONTINUITY], 1e-6*scale[FLUID]);
+    const scalar least = 1e-9*max(scale);
+
+    forAll(relative, i)
+    {
+        const scalar residual = sqrt(all[i]);
+
+        scale[i] = max(scale[i], least);
+
+        // No scale: nothing moves, and nothing may be left over
+        relative[i] =
+            scale[i] > VSMALL ? residual/scale[i]
+          : residual > VSMALL ? GREAT
+          : residual;
+    }
+}
+
+
+void Foam::unifiedSystem::setBlockWeights()
+{
+    blockValues scale;
+    relativeResiduals(z_, r_, relative_, scale);
+
+    // A block that has not moved yet (first step) gets no more than this
+    // times the weight of the others
+    const scalar limit = 1e-4*max(scale);
+
+    forAll(weight_, i)
+    {
+        weight_[i] = limit > 0 ? 1/sqr(max(scale[i], limit)) : 1;
+    }
+}
+
+
+bool Foam::unifiedSystem::passes(const blockValues& relative) const
+{
+    forAll(relative, i)
+    {
+        if (!(relative[i] <= tolerance_[i]))
+        {
+            return false;
+        }
+    }
+
+    return true;
+}
+
+
+void Foam::unifiedSystem::checkFinite() const
+{
+    forAll(relative_, i)
+    {
+        if (!std::isfinite(relative_[i]))
+        {
+            FatalErrorInFunction
+                << "Residual " << blockNames[i] << " is " << relative_[i]
+                << " at time " << mesh_.time().timeName() << nl
+                << "    Nothing of this time is written; the last time on"
+                << " disk is good. Try a smaller time step, and check the"
+                << " mesh with checkMesh"
+                << exit(FatalError);
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::unifiedSystem::apply(const unifiedVector& v, unifiedVector& y)
+{
+    op_.apply(v, y);
+}
+
+
+void Foam::unifiedSystem::precondition
+(
+    const unifiedVector& r,
+    unifiedVector& z
+)
+{
+    sweep_.apply(r, z);
+}
+
+
+Foam::scalar Foam::unifiedSystem::localDot
+(
+    const unifiedVector& a,
+    const unifiedVector& b
+) const
+{
+    const fluxGeometry& geometry = flux_.geometry();
+    scalar sum = 0;
+
+    for (const bool solid : {false, true})
+    {
+        scalar part = 0;
+        for (const label celli : geometry.cellsAndFaces(solid).cells)
+        {
+            const vector scaled(cmptDivide(b.U[celli], sweep_.diag()[celli]));
+            part += a.U[celli] & scaled;
+        }
+        sum += weight_[solid ? SOLID : FLUID]*part;
+    }
+
+    scalar part = 0;
+    for (const label celli : geometry.cellsAndFaces(false).cells)
+    {
+        part += a.p[celli]*b.p[celli]/sweep_.pressureDiag(celli);
+    }
+    sum += weight_[CONTINUITY]*part;
+
+    forAll(a.Uf, i)
+    {
+        const vector diag(sweep_.faceDiag(i));
+        if (diag.x() > VSMALL)
+        {
+            const vector scaled(cmptDivide(b.Uf[i], diag));
+            sum +=
+                weight_[faceBlock(i)]*geometry.unknownWeight()[i]
+               *(a.Uf[i] & scaled);
+        }
+    }
+
+    return sum;
+}
+
+
+bool Foam::unifiedSystem::converged
+(
+    const unifiedVector& z,
+    const unifiedVector& r
+)
+{
+    blockValues relative, scale;
+    relativeResiduals(z, r, relative, scale);
+
+    if (flexibleGMRES::debug)
+    {
+        Info<< "    sweep residuals " << flatOutput(relative) << endl;
+    }
+
+    return passes(relative);
+}
+
+
+// ************************************************************************* //
