@@ -44,7 +44,9 @@ MISFIT_TOLERANCE = 0.002    # what one mode leaves of the series
 # Loss per period beyond the scheme's own: a twentieth of it, and what the
 # residual tolerance of 1e-6 may do in a period of steps
 LOSS_TOLERANCE = (0.05, 1e-4)
-STILL_TOLERANCE = 1e-5      # of p, relative to the shear stress scale
+# Of p, relative to the shear stress rho_s c_s U. The residual tolerance 1e-6
+# of momentum lets through rho U h/dt 1e-6, on the finest mesh 1e-5 of that
+STILL_TOLERANCE = 1e-4
 
 # Name, printed width and format; the last ones go to the csv file only
 LAYOUT = (
