@@ -3,7 +3,7 @@
 layer 0 < y < H.  All fields vary as exp(i w t); amplitudes are complex, SI.
 
 The listed roots come from an independent solution of the same transcendental
-equations (verification list, B1 and B2) and carry the digits shown there.
+equations.
 """
 
 import cmath
