@@ -115,6 +115,55 @@ void Foam::stressFlux::jumpForces(const vectorField& u)
 }
 
 
+void Foam::stressFlux::setSideForces()
+{
+    const fvMesh& mesh = geometry_.mesh();
+    const labelUList& own = mesh.faceOwner();
+    const labelUList& nei = mesh.faceNeighbour();
+    const vectorField& S = mesh.faceAreas();
+
+    const auto ownSide = [&](const label facei)
+    {
+        ownForce_[facei] =
+            (S[facei] & stress_[own[facei]]) + ownJump_[facei];
+    };
+
+    for (const label facei : zone_.coupled)
+    {
+        ownSide(facei);
+    }
+    for (const label facei : zone_.ownSides)
+    {
+        ownSide(facei);
+    }
+    for (const label facei : zone_.neiSides)
+    {
+        neiForce_[facei] =
+            neiJump_[facei] - (S[facei] & stress_[nei[facei]]);
+    }
+}
+
+
+void Foam::stressFlux::addCoupledForces(vectorField& cellForce) const
+{
+    if (!geometry_.anyCoupled())
+    {
+        return;
+    }
+
+    const fvMesh& mesh = geometry_.mesh();
+    const scalarField& w = geometry_.w();
+    const vectorField beyond(geometry_.neighbourSides(ownForce_));
+
+    for (const label facei : zone_.coupled)
+    {
+        cellForce[mesh.faceOwner()[facei]] +=
+            (1 - w[facei])*ownForce_[facei]
+          - w[facei]*beyond[facei - mesh.nInternalFaces()];
+    }
+}
+
+
 void Foam::stressFlux::addForces(vectorField& cellForce)
 {
     const fvMesh& mesh = geometry_.mesh();
@@ -140,36 +189,8 @@ void Foam::stressFlux::addForces(vectorField& cellForce)
         cellForce[nei[facei]] -= F;
     }
 
-    for (const label facei : zone_.coupled)
-    {
-        ownForce_[facei] =
-            (S[facei] & stress_[own[facei]]) + ownJump_[facei];
-    }
-
-    for (const label facei : zone_.ownSides)
-    {
-        ownForce_[facei] =
-            (S[facei] & stress_[own[facei]]) + ownJump_[facei];
-    }
-
-    for (const label facei : zone_.neiSides)
-    {
-        neiForce_[facei] =
-            neiJump_[facei] - (S[facei] & stress_[nei[facei]]);
-    }
-
-    if (geometry_.anyCoupled())
-    {
-        const label nInternal = mesh.nInternalFaces();
-        const vectorField beyond(geometry_.neighbourSides(ownForce_));
-
-        for (const label facei : zone_.coupled)
-        {
-            cellForce[own[facei]] +=
-                (1 - w[facei])*ownForce_[facei]
-              - w[facei]*beyond[facei - nInternal];
-        }
-    }
+    setSideForces();
+    addCoupledForces(cellForce);
 }
 
 
@@ -185,35 +206,14 @@ void Foam::stressFlux::addSkewForces(vectorField& cellForce)
     const tensorField& W = geometry_.warp();
     const bool warped = geometry_.warped();
 
-    const auto ownSide = [&](const label facei)
+    for (const label facei : zone_.internal)
     {
         ownForce_[facei] =
             (S[facei] & stress_[own[facei]]) + ownJump_[facei];
-    };
-
-    const auto neiSide = [&](const label facei)
-    {
         neiForce_[facei] =
             neiJump_[facei] - (S[facei] & stress_[nei[facei]]);
-    };
-
-    for (const label facei : zone_.internal)
-    {
-        ownSide(facei);
-        neiSide(facei);
     }
-    for (const label facei : zone_.coupled)
-    {
-        ownSide(facei);
-    }
-    for (const label facei : zone_.ownSides)
-    {
-        ownSide(facei);
-    }
-    for (const label facei : zone_.neiSides)
-    {
-        neiSide(facei);
-    }
+    setSideForces();
 
     // Q: what the corrected face values ask of the uncorrected gradients.
     // The gradients are no longer needed: their storage takes Q
@@ -298,17 +298,7 @@ void Foam::stressFlux::addSkewForces(vectorField& cellForce)
         neiForce_[facei] -= S[facei] & Q[nei[facei]];
     }
 
-    if (geometry_.anyCoupled())
-    {
-        const vectorField beyond(geometry_.neighbourSides(ownForce_));
-
-        for (const label facei : zone_.coupled)
-        {
-            cellForce[own[facei]] +=
-                (1 - w[facei])*ownForce_[facei]
-              - w[facei]*beyond[facei - nInternal];
-        }
-    }
+    addCoupledForces(cellForce);
 }
 
 
