@@ -32,6 +32,11 @@ License
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
+namespace Foam
+{
+    defineTypeNameAndDebug(unifiedSystem, 0);
+}
+
 const Foam::wordList Foam::unifiedSystem::blockNames
 ({
     "fluidMomentum", "solidMomentum", "interfaceTraction", "continuity"
@@ -481,6 +486,9 @@ void Foam::unifiedSystem::unknownsToFields()
 
 Foam::unifiedSystem::unifiedSystem(fvMesh& mesh)
 :
+    // Function objects find the energies by this name
+    regIOobject(IOobject(typeName, mesh.time().timeName(), mesh)),
+
     // Traps off: a number that is none shall end the run with a message
     mesh_((sigFpe::unset(), mesh)),
     p_(fieldIO("p", mesh, IOobject::MUST_READ), mesh),
@@ -497,6 +505,12 @@ Foam::unifiedSystem::unifiedSystem(fvMesh& mesh)
         fieldIO("sigma", mesh, IOobject::NO_READ),
         mesh,
         dimensionedSymmTensor("sigma", dimPressure, Zero)
+    ),
+    traction_
+    (
+        fieldIO("traction", mesh, IOobject::NO_READ),
+        mesh,
+        dimensionedVector("traction", dimPressure, Zero)
     ),
     phi_
     (
@@ -553,6 +567,8 @@ Foam::unifiedSystem::unifiedSystem(fvMesh& mesh)
 {
     readControls();
     checkPatches();
+
+    traction_.setOriented();
 
     rho_.writeOpt() = IOobject::NO_WRITE;
     forAll(rho_, celli)

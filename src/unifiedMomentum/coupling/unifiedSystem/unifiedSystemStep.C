@@ -388,8 +388,20 @@ void Foam::unifiedSystem::updateDisplacement()
            /geometry.V()[celli];
     }
 
-    flux_.stressField(z_, known_.D, sigma_.primitiveFieldRef());
+    vectorField traction(mesh_.nFaces(), Zero);
+    flux_.stressField(z_, known_.D, sigma_.primitiveFieldRef(), traction);
     correctStressBoundary();
+    for (const bool solid : {false, true})
+    {
+        for (const label facei : geometry.cellsAndFaces(solid).ownSides)
+        {
+            faceValue(traction_, facei) = traction[facei];
+        }
+    }
+    for (const label facei : geometry.unknownFaces())
+    {
+        faceValue(traction_, facei) = traction[facei];
+    }
 
     fvOptions_.correct(U_);
 }
@@ -423,6 +435,43 @@ void Foam::unifiedSystem::report() const
         << "  remaining " << max(elapsed*(1/done - 1), 0.0) << " s";
 
     Info<< line.str().c_str() << endl;
+}
+
+
+Foam::unifiedSystem::energies Foam::unifiedSystem::energy()
+{
+    const fluxGeometry& geometry = flux_.geometry();
+    energies e;
+
+    const auto kinetic = [&](const bool solid)
+    {
+        scalar sum = 0;
+        for (const label celli : geometry.cellsAndFaces(solid).cells)
+        {
+            sum += 0.5*op_.mass()[celli]*magSqr(U_[celli]);
+        }
+        return returnReduce(sum, sumOp<scalar>());
+    };
+    e.fluid = kinetic(false);
+    e.solid = kinetic(true);
+
+    vectorField Df(mesh_.nFaces(), Zero);
+    for (const label facei : geometry.cellsAndFaces(true).ownSides)
+    {
+        Df[facei] = faceValue(Df_, facei);
+    }
+    for (const label facei : geometry.unknownFaces())
+    {
+        Df[facei] = faceValue(Df_, facei);
+    }
+    e.elastic =
+        returnReduce
+        (
+            flux_.elasticEnergy(D_.primitiveField(), Df),
+            sumOp<scalar>()
+        );
+
+    return e;
 }
 
 

@@ -657,13 +657,25 @@ void Foam::momentumFlux::stressField
 (
     const unifiedVector& z,
     const displacementVelocity& offset,
-    symmTensorField& sigma
+    symmTensorField& sigma,
+    vectorField& traction
 )
 {
     const materialZones& materials = geometry_.materials();
+    const scalarField magS(mag(geometry_.mesh().faceAreas()));
 
-    setFaceVelocities(z, false, false, nullptr, uFluid_);
-    fluidStress_.interpolate(z.U, uFluid_);
+    // The forces that the cells get, without convection
+    vectorField cellForce(z.U.size());
+    vectorField R(z.Uf.size());
+    forces(z, &offset, cellForce, R);
+
+    if (geometry_.skewed())
+    {
+        // The forces took the storage of the gradients
+        const vectorField v(z.U + offset.cells);
+        fluidStress_.interpolate(z.U, uFluid_);
+        solidStress_.interpolate(v, vSolid_);
+    }
 
     for (const label celli : geometry_.cellsAndFaces(false).cells)
     {
@@ -671,18 +683,45 @@ void Foam::momentumFlux::stressField
             materials[celli].stress(fluidStress_.grad()[celli])
           - z.p[celli]*symmTensor::I;
     }
-
-    const vectorField v(z.U + offset.cells);
-
-    setFaceVelocities(z, true, false, &offset, vSolid_);
-    solidStress_.interpolate(v, vSolid_);
-
     for (const label celli : geometry_.cellsAndFaces(true).cells)
     {
         // V = D/(beta dt)
         const tensor gradD(betaDt_*solidStress_.grad()[celli]);
         sigma[celli] = materials[celli].stress(gradD);
     }
+
+    for (const bool solid : {false, true})
+    {
+        for (const label facei : geometry_.cellsAndFaces(solid).ownSides)
+        {
+            traction[facei] = ownForce_[facei]/magS[facei];
+        }
+    }
+    forAll(geometry_.unknownFaces(), i)
+    {
+        const label facei = geometry_.unknownFaces()[i];
+        vector excess(R[i]);
+
+        if (geometry_.kind(facei) == fluxGeometry::INTERFACE)
+        {
+            excess = shareOf(i, true, R[i]);
+        }
+
+        traction[facei] = (ownForce_[facei] - excess)/magS[facei];
+    }
+}
+
+
+Foam::scalar Foam::momentumFlux::elasticEnergy
+(
+    const vectorField& D,
+    vectorField& Df
+)
+{
+    solidStress_.interpolate(D, Df);
+
+    // The stiffness of solidStress_ is times beta dt
+    return solidStress_.energy(D)/betaDt_;
 }
 
 

@@ -434,6 +434,40 @@ void Foam::stressFlux::addInsideForces
 }
 
 
+Foam::scalar Foam::stressFlux::energy(const vectorField& u)
+{
+    const labelUList& own = geometry_.mesh().faceOwner();
+    const labelUList& nei = geometry_.mesh().faceNeighbour();
+
+    jumpForces(u);
+
+    // V sigma : G + sum r.A.r, with sum r.A.r written by u_f - u and T
+    scalar twice = 0;
+
+    for (const label celli : zone_.cells)
+    {
+        twice += geometry_.V()[celli]*(stress_[celli] && grad_[celli]);
+    }
+
+    for (const labelList& faces : {zone_.internal, zone_.coupled, zone_.ownSides})
+    {
+        for (const label facei : faces)
+        {
+            twice += (uf_[facei] - u[own[facei]]) & ownJump_[facei];
+        }
+    }
+    for (const labelList& faces : {zone_.internal, zone_.neiSides})
+    {
+        for (const label facei : faces)
+        {
+            twice += (uf_[facei] - u[nei[facei]]) & neiJump_[facei];
+        }
+    }
+
+    return 0.5*twice;
+}
+
+
 Foam::scalar Foam::stressFlux::diffusion(const label facei) const
 {
     const label celli = geometry_.mesh().faceOwner()[facei];

@@ -460,7 +460,8 @@ static void testUniformStress
     checkSmall(max(mag(div)()), 1e-10, name + ": no volume flux");
 
     symmTensorField sigma(mesh->nCells());
-    e.flux.stressField(e.z, e.offset, sigma);
+    vectorField traction(mesh->nFaces(), Zero);
+    e.flux.stressField(e.z, e.offset, sigma, traction);
     scalar error = 0;
     forAll(sigma, celli)
     {
@@ -471,6 +472,15 @@ static void testUniformStress
         error = max(error, mag(traction - shear + vector(p, 0, 0)));
     }
     checkSmall(error, 1e-10, name + ": stress of the cells");
+
+    // On the owner: sigma.n
+    error = 0;
+    for (const label facei : e.flux.geometry().unknownFaces())
+    {
+        const vector n(mesh->faceAreas()[facei]/mag(mesh->faceAreas()[facei]));
+        error = max(error, mag(traction[facei] - n.x()*(shear - vector(p, 0, 0))));
+    }
+    checkSmall(error, 1e-10, name + ": traction of the faces");
 }
 
 
