@@ -89,25 +89,25 @@ void Foam::elasticTube::setAxial()
     const scalar a = -gradient_*lameA_;
     const scalar b = -gradient_*lameB_;
 
-    // Balance along z: G (r h')'/r + 2 a K + (K + G) e = 0, so
-    // h' = slope r + log/r; sigma_rz = G (h' + a r + b/r)
     const scalar shear = -0.5*gradient_*inner_;
 
-    if (clamped_)
+    curvature_ = 0;
+    contraction_ = 0;
+    if (!clamped_)
     {
-        curvature_ = 0;
-    }
-    else
-    {
-        // Forces of the fluid and along the axis: the free surface has none
-        //     sigma_rz r at inner minus at outer
+        // sigma_zz holds the force of the fluid. It must not press on the free
+        // surface: the tube gets thinner by the strain e z along it
         const scalar wall = 0.5*(sqr(outer_) - sqr(inner_));
-        curvature_ =
-            (shear*inner_ - 2*a*solid_.lambda()*wall)/((K + G)*wall);
+        const scalar E = K + G - sqr(solid_.lambda())/K;
+        curvature_ = (shear*inner_/wall - 2*a*solid_.lambda())/E;
+        contraction_ = -0.5*solid_.lambda()*curvature_/K;
     }
 
-    slope_ = -(2*a*K + (K + G)*curvature_)/(2*G);
-    log_ = inner_*(shear/G - (slope_ + a)*inner_ - b/inner_);
+    // Balance along z: G (r h')'/r + 2 (a + q) K + (K + G) e = 0, so
+    // h' = slope r + log/r; sigma_rz = G (h' + (a + q) r + b/r)
+    const scalar aq = a + contraction_;
+    slope_ = -(2*aq*K + (K + G)*curvature_)/(2*G);
+    log_ = inner_*(shear/G - (slope_ + aq)*inner_ - b/inner_);
 }
 
 
@@ -160,18 +160,18 @@ void Foam::elasticTube::solidState
 
     s.D = vector
     (
-        P*lame,
+        P*lame + contraction_*z*r,
         turn*r,
         0.5*slope_*(sqr(r) - sqr(outer_)) + log_*log(r/outer_)
       + 0.5*curvature_*sqr(z)
     );
 
-    s.grad.xx() = P*(lameA_ - lameB_/sqr(r));
-    s.grad.yy() = P*lame/r;
+    s.grad.xx() = P*(lameA_ - lameB_/sqr(r)) + contraction_*z;
+    s.grad.yy() = P*lame/r + contraction_*z;
     s.grad.xy() = c*(1/sqr(outer_) + 1/sqr(r));
     s.grad.yx() = -turn;
     s.grad.xz() = slope_*r + log_/r;
-    s.grad.zx() = -gradient_*lame;
+    s.grad.zx() = -gradient_*lame + contraction_*r;
     s.grad.zz() = curvature_*z;
 }
 

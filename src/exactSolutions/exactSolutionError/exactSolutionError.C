@@ -42,7 +42,7 @@ const Foam::FixedList
 >
 Foam::functionObjects::exactSolutionError::names
 ({
-    "U.fluid", "U.solid", "D", "p", "traction"
+    "U.fluid", "U.solid", "D", "p", "sigma", "traction"
 });
 
 
@@ -68,6 +68,7 @@ void Foam::functionObjects::exactSolutionError::addCells
     const auto& U = lookupObject<volVectorField>("U");
     const auto& D = lookupObject<volVectorField>("D");
     const auto& p = lookupObject<volScalarField>("p");
+    const auto& sigma = lookupObject<volSymmTensorField>("sigma");
     const scalarField& V = mesh_.V();
     const scalar t = time_.timeOutputValue();
 
@@ -98,7 +99,9 @@ void Foam::functionObjects::exactSolutionError::addCells
 
         if (m.solid())
         {
+            const symmTensor stress(exactSolution::stress(m, s));
             compare(DISPLACEMENT, mag(D[celli] - s.D), mag(s.D), celli);
+            compare(STRESS, mag(sigma[celli] - stress), mag(stress), celli);
         }
         else
         {
