@@ -241,7 +241,7 @@ Foam::label Foam::solidSolver::solve
     const fluxGeometry::zone& solid = geometry.cellsAndFaces(true);
 
     const scalar tolerance =
-        controls.getOrDefault<scalar>("solidTolerance", 0.01);
+        controls.getOrDefault<scalar>("solidTolerance", 1e-4);
     const label maxIter = controls.getOrDefault<label>("solidMaxIter", 1000);
 
     // Rows with the force of the cell's own side: what symmetry needs

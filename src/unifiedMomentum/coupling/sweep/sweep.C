@@ -456,7 +456,7 @@ void Foam::sweep::apply(const unifiedVector& r, unifiedVector& dz)
     solveFluid(r, dz);
 
     const label nCorrectors =
-        controls().getOrDefault<label>("nCorrectors", 2);
+        controls().getOrDefault<label>("nCorrectors", 3);
 
     for (label corr = 0; corr < nCorrectors; ++corr)
     {

@@ -84,15 +84,15 @@ void Foam::unifiedOperator::applyFluid
     {
         const vector& F = flux_.sideForce(owner)[facei];
         const label i = geometry().unknownIndex()[facei];
+        const fluxGeometry::faceKind kind = geometry().kind(facei);
 
-        if (i < 0)
+        if (kind == fluxGeometry::SLIP || kind == fluxGeometry::SYMMETRY)
+        {
+            return vector(F - geometry().tangential(facei, F));
+        }
+        else if (i < 0)
         {
             return F;
-        }
-        else if (geometry().kind(facei) == fluxGeometry::SLIP)
-        {
-            const vector& n = geometry().n()[facei];
-            return vector((F & n)*n);
         }
 
         const vector& uS =
@@ -164,8 +164,16 @@ void Foam::unifiedOperator::applySolid
 
     for (const label facei : solid.ownSides)
     {
-        y.U[own[facei]] += ownForce[facei];
-        toFace(facei, ownForce[facei]);
+        const vector& F = ownForce[facei];
+
+        if (geometry().kind(facei) == fluxGeometry::SYMMETRY)
+        {
+            y.U[own[facei]] += F - geometry().tangential(facei, F);
+            continue;
+        }
+
+        y.U[own[facei]] += F;
+        toFace(facei, F);
 
         if (geometry().coupled(facei))
         {

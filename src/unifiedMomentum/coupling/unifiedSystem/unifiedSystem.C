@@ -178,7 +178,7 @@ void Foam::unifiedSystem::readControls()
     const dictionary& pimple = mesh_.solutionDict().subDict("PIMPLE");
 
     nOuterCorrectors_ = checkRange(pimple, "nOuterCorrectors", 1, 1);
-    checkRange(pimple, "nCorrectors", 2, 1);
+    checkRange(pimple, "nCorrectors", 3, 1);
     checkRange(pimple, "nNonOrthogonalCorrectors", 0, 0);
 
     const dictionary krylov(pimple.subOrEmptyDict("krylov"));
@@ -190,7 +190,7 @@ void Foam::unifiedSystem::readControls()
     checkRange(krylov, "solidMaxIter", 1000, 0);
 
     const scalar solidTolerance =
-        krylov.getOrDefault<scalar>("solidTolerance", 0.01);
+        krylov.getOrDefault<scalar>("solidTolerance", 1e-4);
     if (!(solidTolerance > 0 && solidTolerance < 1))
     {
         FatalIOErrorInFunction(krylov)

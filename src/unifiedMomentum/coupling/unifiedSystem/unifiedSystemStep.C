@@ -368,6 +368,12 @@ void Foam::unifiedSystem::updateDisplacement()
         displace(facei);
     }
 
+    for (const label facei : geometry.cellsAndFaces(true).symmetry)
+    {
+        faceValue(Df_, facei) =
+            geometry.tangential(facei, D_[mesh_.faceOwner()[facei]]);
+    }
+
     volVectorField::Boundary& Db = D_.boundaryFieldRef();
     for (const label facei : geometry.cellsAndFaces(true).ownSides)
     {

@@ -23,6 +23,7 @@ License
 #include "basicSymmetryFvPatchField.H"
 #include "cyclicAMIFvPatch.H"
 #include "emptyFvPatch.H"
+#include "symmetryPlaneFvPatch.H"
 #include "wedgeFvPatch.H"
 #include "solidTractionFvPatchVectorField.H"
 
@@ -70,6 +71,10 @@ Foam::fluxGeometry::faceKind Foam::fluxGeometry::patchKind
     else if (isA<solidTractionFvPatchVectorField>(U))
     {
         return TRACTION;
+    }
+    else if (isA<symmetryPlaneFvPatch>(patch))
+    {
+        return SYMMETRY;
     }
     else if (isA<basicSymmetryFvPatchField<vector>>(U))
     {
@@ -274,6 +279,11 @@ void Foam::fluxGeometry::setSkewness()
                 mag(skew_[facei])/mag(dOwn_[facei] - dNei_[facei])
             );
         }
+        else if (kind_[facei] == SYMMETRY)
+        {
+            skew_[facei] = tangential(facei, dOwn_[facei]);
+            maxSkew = max(maxSkew, mag(skew_[facei])/mag(dOwn_[facei]));
+        }
 
         // Positions are taken from the cell's centre: less round-off
         B[own[facei]] += Sf[facei]*(dOwn_[facei] - skew_[facei]);
@@ -305,7 +315,7 @@ void Foam::fluxGeometry::setZone(zone& z, const bool solid) const
 {
     z.cells = materials_.cells(solid);
 
-    DynamicList<label> internal, coupledFaces, ownSides, neiSides;
+    DynamicList<label> internal, coupledFaces, ownSides, neiSides, symmetry;
 
     forAll(kind_, facei)
     {
@@ -328,6 +338,10 @@ void Foam::fluxGeometry::setZone(zone& z, const bool solid) const
             {
                 neiSides.append(facei);
             }
+            if (own && kind_[facei] == SYMMETRY)
+            {
+                symmetry.append(facei);
+            }
         }
         else if (own)
         {
@@ -340,6 +354,7 @@ void Foam::fluxGeometry::setZone(zone& z, const bool solid) const
     z.coupled.transfer(coupledFaces);
     z.ownSides.transfer(ownSides);
     z.neiSides.transfer(neiSides);
+    z.symmetry.transfer(symmetry);
 }
 
 

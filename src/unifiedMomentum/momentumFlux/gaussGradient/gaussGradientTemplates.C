@@ -112,6 +112,11 @@ void Foam::gaussGradient<Type>::faceValues
         }
     }
 
+    for (const label facei : zone_.symmetry)
+    {
+        uf[facei] = mirrored(facei, u[own[facei]]);
+    }
+
     if (!geometry_.skewed())
     {
         return;
@@ -142,6 +147,11 @@ void Foam::gaussGradient<Type>::faceValues
         {
             faceGrad_[facei] = Gf;
         }
+    }
+
+    for (const label facei : zone_.symmetry)
+    {
+        uf[facei] += mirrored(facei, s[facei] & cellGrad_[own[facei]]);
     }
 
     if (geometry_.anyCoupled())

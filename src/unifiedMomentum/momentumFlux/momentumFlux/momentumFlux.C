@@ -524,7 +524,7 @@ void Foam::momentumFlux::forces
         }
     }
 
-    // Patches that give the velocity
+    // Patches that give the velocity, symmetry planes
     for (const bool solid : {false, true})
     {
         for (const label facei : geometry_.cellsAndFaces(solid).ownSides)
@@ -533,6 +533,12 @@ void Foam::momentumFlux::forces
             {
                 cellForce[own[facei]] += ownForce_[facei];
             }
+        }
+        for (const label facei : geometry_.cellsAndFaces(solid).symmetry)
+        {
+            ownForce_[facei] -=
+                geometry_.tangential(facei, ownForce_[facei]);
+            cellForce[own[facei]] += ownForce_[facei];
         }
     }
 }

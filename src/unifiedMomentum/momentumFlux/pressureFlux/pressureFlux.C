@@ -77,6 +77,7 @@ void Foam::pressureFlux::setStencils(const boolList& extrapolate)
 
     extrapolated_.transfer(sides);
     stencils_.setSize(cells.size());
+    DynamicList<label> incomplete;
 
     forAll(stencils_, i)
     {
@@ -104,6 +105,11 @@ void Foam::pressureFlux::setStencils(const boolList& extrapolate)
             }
             else
             {
+                if (geometry_.kind(facei) == fluxGeometry::SYMMETRY)
+                {
+                    // The mirrored cell has the same pressure
+                    sum += sqr(geometry_.n()[facei]);
+                }
                 continue;
             }
 
@@ -112,7 +118,8 @@ void Foam::pressureFlux::setStencils(const boolList& extrapolate)
             sum += sqr(d)/magSqr(d);
         }
 
-        // The small term leaves directions without neighbours at zero gradient
+        // The small term makes the gradient zero in directions without
+        // neighbours
         const symmTensor inverse
         (
             inv(sum + 1e-10*max(tr(sum), SMALL)*symmTensor::I)
@@ -123,8 +130,87 @@ void Foam::pressureFlux::setStencils(const boolList& extrapolate)
             weight = inverse & vector(weight);
         }
 
+        st.missing = tensor::I;
+        for (direction cmpt = 0; cmpt < vector::nComponents; ++cmpt)
+        {
+            if (mesh.solutionD()[cmpt] < 0)
+            {
+                st.missing(cmpt, cmpt) = 0;
+            }
+        }
+        const tensor known(inverse & sum);
+        st.missing -= known;
+
+        if (tr(st.missing) > 0.5)
+        {
+            incomplete.append(i);
+        }
+
         st.faces.transfer(faces);
         st.weights.transfer(weights);
+    }
+
+    incomplete_.transfer(incomplete);
+    anyIncomplete_ = returnReduce(incomplete_.size() > 0, orOp<bool>());
+}
+
+
+void Foam::pressureFlux::extrapolate
+(
+    const scalarField& p,
+    const vectorField& g
+)
+{
+    for (const extrapolatedSide& side : extrapolated_)
+    {
+        pf_[side.facei] =
+            p[stencils_[side.stencili].celli] + (side.d & g[side.stencili]);
+    }
+}
+
+
+void Foam::pressureFlux::setGradients(const scalarField& p)
+{
+    gradient_.faceValues(p, pf_);
+    gradient_.cellGradients(pf_, grad_);
+
+    if (geometry_.anyCoupled())
+    {
+        gradN_ = geometry_.neighbourValues(grad_);
+    }
+}
+
+
+void Foam::pressureFlux::completeGradients(vectorField& g) const
+{
+    const fvMesh& mesh = geometry_.mesh();
+    const labelUList& own = mesh.faceOwner();
+
+    for (const label i : incomplete_)
+    {
+        const stencil& st = stencils_[i];
+        vector sum(Zero);
+        scalar count = 0;
+
+        for (const label facei : mesh.cells()[st.celli])
+        {
+            if (geometry_.kind(facei) == fluxGeometry::INSIDE)
+            {
+                sum +=
+                    !mesh.isInternalFace(facei)
+                  ? gradN_[facei - mesh.nInternalFaces()]
+                  : own[facei] == st.celli
+                  ? grad_[mesh.faceNeighbour()[facei]]
+                  : grad_[own[facei]];
+                count += 1;
+            }
+        }
+
+        if (count > 0)
+        {
+            const vector mean(sum/count);
+            g[i] += st.missing & mean;
+        }
     }
 }
 
@@ -142,6 +228,7 @@ Foam::pressureFlux::pressureFlux
     fixesP_(geometry.mesh().nFaces(), false),
     internalCoeff_(geometry.mesh().nFaces(), 0),
     reference_(internalCoeff_),
+    anyIncomplete_(false),
     rhieChow_(internalCoeff_),
     gradient_(geometry, false),
     pf_(internalCoeff_),
@@ -294,18 +381,14 @@ void Foam::pressureFlux::interpolate
         }
     }
 
-    for (const extrapolatedSide& side : extrapolated_)
-    {
-        pf_[side.facei] =
-            p[stencils_[side.stencili].celli] + (side.d & g[side.stencili]);
-    }
+    extrapolate(p, g);
+    setGradients(p);
 
-    gradient_.faceValues(p, pf_);
-    gradient_.cellGradients(pf_, grad_);
-
-    if (geometry_.anyCoupled())
+    if (anyIncomplete_)
     {
-        gradN_ = geometry_.neighbourValues(grad_);
+        completeGradients(g);
+        extrapolate(p, g);
+        setGradients(p);
     }
 }
 

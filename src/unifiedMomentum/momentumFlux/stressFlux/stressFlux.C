@@ -264,6 +264,12 @@ void Foam::stressFlux::addSkewForces(vectorField& cellForce)
         }
     }
 
+    for (const label facei : zone_.symmetry)
+    {
+        Q[own[facei]] +=
+            s[facei]*geometry_.tangential(facei, ownForce_[facei]);
+    }
+
     // Z = B^-T Q
     for (const label celli : zone_.cells)
     {
