@@ -80,7 +80,7 @@ void Foam::functionObjects::exactSolutionError::addCells
         const label celli
     )
     {
-        errors_[q].add(error, V[celli]);
+        sums_[q].add(error, V[celli]);
         reference[q] = max(reference[q], exact);
     };
 
@@ -138,7 +138,7 @@ void Foam::functionObjects::exactSolutionError::addTraction
         const vector n(mesh_.Sf()[facei]/mesh_.magSf()[facei]);
         const vector exact(sigma & n);
 
-        errors_[TRACTION].add
+        sums_[TRACTION].add
         (
             mag(traction[facei] - exact),
             mesh_.magSf()[facei]
@@ -160,7 +160,8 @@ Foam::functionObjects::exactSolutionError::exactSolutionError
     fvMeshFunctionObject(name, runTime, dict),
     writeFile(obr_, name, "errors", dict),
     exact_(exactSolution::New(mesh_)),
-    reference_(0.0)
+    reference_(0.0),
+    overTime_(dict.getOrDefault("overTime", false))
 {
     writeHeader(file(), "Relative errors, largest and L2");
     writeCommented(file(), "Time");
@@ -178,7 +179,7 @@ Foam::functionObjects::exactSolutionError::exactSolutionError
 bool Foam::functionObjects::exactSolutionError::execute()
 {
     FixedList<scalar, nAll> reference(0.0);
-    errors_ = sums();
+    sums_ = sums();
 
     addCells(reference);
     addTraction(reference);
@@ -187,6 +188,16 @@ bool Foam::functionObjects::exactSolutionError::execute()
     {
         reference_[q] =
             max(reference_[q], returnReduce(reference[q], maxOp<scalar>()));
+
+        const sums& s = sums_[q];
+        const scalar largest = returnReduce(s.largest, maxOp<scalar>());
+        const scalar squares = returnReduce(s.squares, sumOp<scalar>());
+        const scalar weights = returnReduce(s.weights, sumOp<scalar>());
+        const scalar L2 = sqrt(squares/max(weights, VSMALL));
+
+        norms& e = errors_[q];
+        e.largest = overTime_ ? max(e.largest, largest) : largest;
+        e.L2 = overTime_ ? max(e.L2, L2) : L2;
     }
 
     return true;
@@ -199,15 +210,11 @@ bool Foam::functionObjects::exactSolutionError::write()
 
     forAll(errors_, q)
     {
-        const sums& e = errors_[q];
         const scalar scale = (reference_[q] > VSMALL ? reference_[q] : 1);
-        const scalar largest = returnReduce(e.largest, maxOp<scalar>());
-        const scalar squares = returnReduce(e.squares, sumOp<scalar>());
-        const scalar weights = returnReduce(e.weights, sumOp<scalar>());
 
         file()
-            << tab << largest/scale
-            << tab << sqrt(squares/max(weights, VSMALL))/scale;
+            << tab << errors_[q].largest/scale
+            << tab << errors_[q].L2/scale;
     }
     file() << endl;
 
