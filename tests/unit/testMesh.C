@@ -22,6 +22,7 @@ License
 #include "testMesh.H"
 #include "emptyPolyPatch.H"
 #include "cyclicPolyPatch.H"
+#include "symmetryPlanePolyPatch.H"
 #include "OFstream.H"
 #include "IStringStream.H"
 #include "OSspecific.H"
@@ -319,7 +320,8 @@ Foam::autoPtr<Foam::fvMesh> Foam::testing::boxMesh
     const polyhedra& cells,
     const pointField& movedPoints,
     const zoneFunction& zoneOf,
-    const bool periodic
+    const bool periodic,
+    const bool mirrored
 )
 {
     struct meshFace
@@ -482,6 +484,11 @@ Foam::autoPtr<Foam::fvMesh> Foam::testing::boxMesh
                 "separationVector",
                 vector((patchi ? -1 : 1)*box.span().x(), 0, 0)
             );
+        }
+
+        else if (patchi == 0 && mirrored)
+        {
+            dict.set("type", symmetryPlanePolyPatch::typeName);
         }
 
         patches[patchi] =

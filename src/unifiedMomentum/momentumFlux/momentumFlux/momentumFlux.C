@@ -99,7 +99,10 @@ void Foam::momentumFlux::setRhieChow()
     }
     for (const label facei : fluid.ownSides)
     {
-        a[mesh.faceOwner()[facei]] += fluidStress_.sideDiffusion(facei, true);
+        // On a symmetry plane as between two cells
+        a[mesh.faceOwner()[facei]] +=
+            (geometry_.kind(facei) == fluxGeometry::SYMMETRY ? 0.5 : 1)
+           *fluidStress_.sideDiffusion(facei, true);
     }
     for (const label facei : fluid.neiSides)
     {

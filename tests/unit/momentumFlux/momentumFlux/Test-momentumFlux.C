@@ -378,6 +378,139 @@ static void testConservation
 }
 
 
+//- Half a mesh with a symmetry plane against the whole, mirrored mesh
+static void testSymmetryPlane
+(
+    const Time& runTime,
+    const label nD,
+    const string& stiffness
+)
+{
+    const string name("symmetry plane, " + Foam::name(nD) + "-D " + stiffness);
+    const scalarList y(uniform(0, 1, 4));
+    const scalarList z(uniform(0, 0.8, nD == 2 ? 1 : 3));
+    const planes flat
+    ({
+        scalarList({0, 1}), scalarList({0, 0.5, 1}), scalarList({0, 0.8})
+    });
+    writeMaterials(runTime, materials(stiffness));
+
+    // Forces and divergence of a smooth, mirrored state, by the cells' centre
+    const auto compute = [&]
+    (
+        const bool half,
+        autoPtr<fvMesh>& mesh,
+        vectorField& force,
+        scalarField& div
+    )
+    {
+        const polyhedra cells
+        (
+            hexes(half ? uniform(0, 1, 3) : uniform(-1, 1, 6), y, z)
+        );
+        pointField points(cells.points);
+        for (point& x : points)
+        {
+            x.x() = mag(x.x());
+        }
+        points =
+            perturbed(points, vector(0.06, 0.05, nD == 2 ? 0 : 0.05), flat);
+        forAll(points, pointi)
+        {
+            if (cells.points[pointi].x() < 0)
+            {
+                points[pointi].x() *= -1;
+            }
+        }
+        mesh = boxMesh
+        (
+            runTime,
+            cells,
+            points,
+            [](const point& x)
+            {
+                return word(x.y() < 0.5 ? "fluid" : "solid");
+            },
+            false,
+            half
+        );
+        evaluation e(mesh(), fixedU, fixedP);
+
+        const auto even = [](const point& x, const scalar a)
+        {
+            return Foam::cos(a*x.x())*Foam::sin(1 + a*x.y() - x.z());
+        };
+        const auto smooth = [&](const point& x, const scalar a)
+        {
+            return vector
+            (
+                Foam::sin(a*x.x())*Foam::cos(x.y() + a*x.z()),
+                even(x, a),
+                even(x, 1.7*a)
+            );
+        };
+
+        forAll(e.z.U, celli)
+        {
+            const point& x = mesh->cellCentres()[celli];
+            e.z.U[celli] = smooth(x, 2);
+            e.offset.cells[celli] = smooth(x, 3);
+            e.z.p[celli] = e.zones.solid(celli) ? 0 : even(x, 4);
+        }
+        forAll(e.offset.faces, facei)
+        {
+            e.offset.faces[facei] = smooth(mesh->faceCentres()[facei], 3);
+        }
+        forAll(e.z.Uf, i)
+        {
+            e.z.Uf[i] =
+                smooth(mesh->faceCentres()[e.geometry().unknownFaces()[i]], 2);
+        }
+        e.evaluate();
+        force = e.cellForce;
+        div.setSize(force.size());
+        e.flux.divergence(e.z, false, div, true);
+    };
+
+    autoPtr<fvMesh> half, whole;
+    vectorField forceHalf, forceWhole;
+    scalarField divHalf, divWhole;
+    compute(true, half, forceHalf, divHalf);
+    compute(false, whole, forceWhole, divWhole);
+
+    scalar forceError = 0;
+    scalar divError = 0;
+    label nFound = 0;
+    forAll(forceHalf, celli)
+    {
+        forAll(forceWhole, other)
+        {
+            if
+            (
+                mag(half->cellCentres()[celli] - whole->cellCentres()[other])
+              < 1e-9
+            )
+            {
+                forceError =
+                    max(forceError, mag(forceHalf[celli] - forceWhole[other]));
+                divError = max(divError, mag(divHalf[celli] - divWhole[other]));
+                ++nFound;
+            }
+        }
+    }
+
+    check(nFound == forceHalf.size(), name + ": all cells compared");
+    checkSmall
+    (
+        forceError/max(mag(forceWhole)()), 1e-12, name + ": force as mirrored"
+    );
+    checkSmall
+    (
+        divError/max(mag(divWhole)()), 1e-12, name + ": divergence as mirrored"
+    );
+}
+
+
 //- Uniform stress through an interface: an exact solution on any mesh
 static void testUniformStress
 (
@@ -909,6 +1042,7 @@ int main(int argc, char* argv[])
         for (const char* stiffness : {"compact", "lockingFree"})
         {
             testConservation(runTime(), nD, stiffness);
+            testSymmetryPlane(runTime(), nD, stiffness);
             testUniformStress(runTime(), nD, stiffness);
         }
     }
