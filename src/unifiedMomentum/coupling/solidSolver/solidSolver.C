@@ -172,7 +172,8 @@ Foam::solidSolver::solidSolver
     d_(x_),
     y_(x_),
     s_(x_),
-    oldS_(x_)
+    oldS_(x_),
+    warned_(false)
 {}
 
 
@@ -242,7 +243,7 @@ Foam::label Foam::solidSolver::solve
 
     const scalar tolerance =
         controls.getOrDefault<scalar>("solidTolerance", 1e-4);
-    const label maxIter = controls.getOrDefault<label>("solidMaxIter", 1000);
+    const label maxIter = controls.getOrDefault<label>("solidMaxIter", 10000);
 
     // Rows with the force of the cell's own side: what symmetry needs
     r_.setZero();
@@ -302,12 +303,24 @@ Foam::label Foam::solidSolver::solve
         const scalar target = sqr(tolerance)*rs;
         d_ = s_;
 
-        while (rs > target && rs > VSMALL && nIterations < maxIter)
+        // A small residual says little about bending, what the iterations
+        // still add to the energy does
+        scalar energy = 0;
+        scalarList gains(5, 0.0);
+        const auto bends = [&]()
+        {
+            return nIterations*max(gains) > tolerance*energy;
+        };
+
+        while ((rs > target || bends()) && rs > VSMALL && nIterations < maxIter)
         {
             op_.applySolid(d_, fluidSide_, y_);
             const scalar alpha = rs/dot(d_, y_);
             x_.add(alpha, d_);
             r_.add(-alpha, y_);
+
+            gains[nIterations % gains.size()] = alpha*rs;
+            energy += alpha*rs;
             ++nIterations;
 
             oldS_ = s_;
@@ -317,6 +330,17 @@ Foam::label Foam::solidSolver::solve
             const scalar beta = (rs - dot(r_, oldS_))/oldRs;
             d_.scale(beta);
             d_.add(1, s_);
+        }
+
+        if (nIterations == maxIter && !warned_)
+        {
+            WarningInFunction
+                << "The conjugate gradients of the solids stopped at"
+                << " solidMaxIter " << maxIter << nl
+                << "    Slow motion, as bending, may be unfinished although"
+                << " all residuals pass." << nl
+                << "    This is said once." << endl;
+            warned_ = true;
         }
     }
 

@@ -187,7 +187,7 @@ void Foam::unifiedSystem::readControls()
         krylov,
         {"maxSweeps", "nVectors", "solidTolerance", "solidMaxIter"}
     );
-    checkRange(krylov, "solidMaxIter", 1000, 0);
+    checkRange(krylov, "solidMaxIter", 10000, 0);
 
     const scalar solidTolerance =
         krylov.getOrDefault<scalar>("solidTolerance", 1e-4);
