@@ -1,0 +1,84 @@
+/*---------------------------------------------------------------------------*\
+  umfsiFoam: fluid-structure interaction with one momentum equation
+-------------------------------------------------------------------------------
+License
+    This file is part of umfsiFoam.
+
+    umfsiFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by
+    the Free Software Foundation, either version 3 of the License, or
+    (at your option) any later version.
+
+    umfsiFoam is distributed in the hope that it will be useful, but WITHOUT
+    ANY WARRANTY; without even the implied warranty of MERCHANTABILITY or
+    FITNESS FOR A PARTICULAR PURPOSE.  See the GNU General Public License
+    for more details.
+
+    You should have received a copy of the GNU General Public License
+    along with umfsiFoam.  If not, see <http://www.gnu.org/licenses/>.
+
+
+
+Application
+    makePrisms
+
+Description
+    Splits the quadrangles of a two-dimensional mesh into triangles: the mesh
+    becomes one of prisms. Patches and cell zones are kept.
+
+Usage
+    \b makePrisms [OPTION]
+
+      - \par -diagonals \<word\>
+        random (default), alternating, parallel or crossed
+
+      - \par -seed \<label\>
+        Of the random diagonals, default 1
+
+\*---------------------------------------------------------------------------*/
+
+#include "argList.H"
+#include "Time.H"
+#include "planarMesh.H"
+
+using namespace Foam;
+
+// * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
+
+int main(int argc, char *argv[])
+{
+    argList::addNote
+    (
+        "Split the quadrangles of a two-dimensional mesh into triangles"
+    );
+    argList::noParallel();
+    argList::addOption
+    (
+        "diagonals",
+        "word",
+        "random (default), alternating, parallel or crossed"
+    );
+    argList::addOption("seed", "label", "Of the random diagonals, default 1");
+
+    #include "setRootCase.H"
+    #include "createTime.H"
+    #include "createPolyMesh.H"
+
+    // Keeps volumes to round-off, whatever writePrecision is
+    IOstream::defaultPrecision(17);
+
+    planarMesh planar(mesh);
+    planar.split
+    (
+        args.getOrDefault<word>("diagonals", "random"),
+        args.getOrDefault<label>("seed", 1)
+    );
+    planar.write();
+
+    Info<< "End" << nl << endl;
+
+    return 0;
+}
+
+
+// ************************************************************************* //
