@@ -47,6 +47,11 @@ class Study:
     def finestOrder(self, column):
         return orders(self.h, self.series(column))[-1]
 
+    def finestOrders(self, column):
+        """Of the finest refinement, and of the two finest together."""
+        h, errors = self.h[-3::2], self.series(column)[-3::2]
+        return [self.finestOrder(column)] + orders(h, errors)
+
     def show(self, columns):
         print(f"\n{self.name}")
         for column in columns:
