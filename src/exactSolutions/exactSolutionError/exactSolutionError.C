@@ -119,7 +119,7 @@ void Foam::functionObjects::exactSolutionError::addTraction
     const auto& traction = lookupObject<surfaceVectorField>("traction");
     const scalar t = time_.timeOutputValue();
 
-    // Faces between cells of one process; a face between two counts in both
+    // Without faces between two processes, which do not know both materials
     forAll(traction, facei)
     {
         const material& own = exact_.materialOf(mesh_.faceOwner()[facei]);
