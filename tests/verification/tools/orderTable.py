@@ -11,22 +11,32 @@ import math
 import os
 
 from checks import orders
+from results import pyplot
 
 QUANTITIES = ["U.fluid", "U.solid", "D", "p", "traction"]
 
 
-def readErrors(case, name="errors"):
-    """Errors of the last time, by column; None if the run left none."""
-    files = glob.glob(os.path.join(case, "postProcessing", name, "*/errors.dat"))
+def readHistory(case, start="*"):
+    """Errors by column, one dictionary for each time written, of the run that
+    began at the time start (of the last run, if several match).
+    """
+    files = glob.glob(os.path.join(
+        case, "postProcessing", "errors", start, "errors.dat"))
     if not files:
-        return None
+        return []
 
-    with open(sorted(files)[-1]) as f:
+    with open(sorted(files)[-1], encoding="ascii") as f:
         lines = [line.split() for line in f if line.strip()]
 
     header = [line for line in lines if line[0] == "#"][-1][2:]
-    rows = [line for line in lines if line[0] != "#"]
-    return dict(zip(header, map(float, rows[-1][1:]))) if rows else None
+    return [dict(zip(header, map(float, line[1:])))
+            for line in lines if line[0] != "#"]
+
+
+def readErrors(case, start="*"):
+    """Those of the last time; None if the run left none."""
+    history = readHistory(case, start)
+    return history[-1] if history else None
 
 
 class Study:
@@ -80,11 +90,11 @@ def writeTable(path, studies, columns):
 
 def plot(path, title, studies, columns, order=2):
     """One picture, one panel for each column, errors over h."""
-    import matplotlib
-    matplotlib.use("Agg")
-    from matplotlib import pyplot
+    plots = pyplot()
+    if not plots:
+        return
 
-    figure, axes = pyplot.subplots(
+    figure, axes = plots.subplots(
         1, len(columns), figsize=(3.6*len(columns), 4), sharex=True,
         squeeze=False)
 
@@ -104,4 +114,4 @@ def plot(path, title, studies, columns, order=2):
     figure.suptitle(title)
     figure.tight_layout()
     figure.savefig(path, dpi=130)
-    pyplot.close(figure)
+    plots.close(figure)

@@ -5,13 +5,13 @@ import csv
 import sys
 from pathlib import Path
 
-try:
-    import matplotlib
-    matplotlib.use("Agg")
-    from matplotlib import pyplot, ticker
-except ImportError:
-    print("No plot: please install python3-matplotlib to get one.")
+import results
+
+pyplot = results.pyplot()
+if not pyplot:
     sys.exit(0)
+
+from matplotlib import ticker   # noqa: E402
 
 SOURCE = Path("run/frequencies.csv")
 if not SOURCE.is_file():
