@@ -18,7 +18,6 @@ License
     along with umfsiFoam.  If not, see <http://www.gnu.org/licenses/>.
 
 
-
 Application
     makePolygons
 
@@ -39,48 +38,19 @@ Usage
 
 \*---------------------------------------------------------------------------*/
 
-#include "argList.H"
-#include "Time.H"
-#include "planarMesh.H"
-
-using namespace Foam;
+#include "convertMesh.H"
 
 // * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
 
 int main(int argc, char *argv[])
 {
-    argList::addNote
+    return Foam::convertMesh
     (
-        "Replace a two-dimensional mesh by the dual of its triangles"
+        argc,
+        argv,
+        "Replace a two-dimensional mesh by the dual of its triangles",
+        true
     );
-    argList::noParallel();
-    argList::addOption
-    (
-        "diagonals",
-        "word",
-        "random (default), alternating, parallel or crossed"
-    );
-    argList::addOption("seed", "label", "Of the random diagonals, default 1");
-
-    #include "setRootCase.H"
-    #include "createTime.H"
-    #include "createPolyMesh.H"
-
-    // Keeps volumes to round-off, whatever writePrecision is
-    IOstream::defaultPrecision(17);
-
-    planarMesh planar(mesh);
-    planar.split
-    (
-        args.getOrDefault<word>("diagonals", "random"),
-        args.getOrDefault<label>("seed", 1)
-    );
-    planar.makeDual();
-    planar.write();
-
-    Info<< "End" << nl << endl;
-
-    return 0;
 }
 
 

@@ -18,7 +18,6 @@ License
     along with umfsiFoam.  If not, see <http://www.gnu.org/licenses/>.
 
 
-
 Application
     makePrisms
 
@@ -37,47 +36,19 @@ Usage
 
 \*---------------------------------------------------------------------------*/
 
-#include "argList.H"
-#include "Time.H"
-#include "planarMesh.H"
-
-using namespace Foam;
+#include "convertMesh.H"
 
 // * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
 
 int main(int argc, char *argv[])
 {
-    argList::addNote
+    return Foam::convertMesh
     (
-        "Split the quadrangles of a two-dimensional mesh into triangles"
+        argc,
+        argv,
+        "Split the quadrangles of a two-dimensional mesh into triangles",
+        false
     );
-    argList::noParallel();
-    argList::addOption
-    (
-        "diagonals",
-        "word",
-        "random (default), alternating, parallel or crossed"
-    );
-    argList::addOption("seed", "label", "Of the random diagonals, default 1");
-
-    #include "setRootCase.H"
-    #include "createTime.H"
-    #include "createPolyMesh.H"
-
-    // Keeps volumes to round-off, whatever writePrecision is
-    IOstream::defaultPrecision(17);
-
-    planarMesh planar(mesh);
-    planar.split
-    (
-        args.getOrDefault<word>("diagonals", "random"),
-        args.getOrDefault<label>("seed", 1)
-    );
-    planar.write();
-
-    Info<< "End" << nl << endl;
-
-    return 0;
 }
 
 
