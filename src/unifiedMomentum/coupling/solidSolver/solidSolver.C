@@ -124,8 +124,7 @@ void Foam::solidSolver::precondition
 
         if (geometry.kind(facei) == fluxGeometry::SLIP)
         {
-            const vector& n = geometry.n()[facei];
-            du -= (du & n)*n;
+            du = geometry.tangential(facei, du);
         }
 
         x.Uf[i] += du;

@@ -240,7 +240,6 @@ void Foam::sweep::solveFluid(const unifiedVector& r, unifiedVector& dz)
         if (geometry.kind(facei) == fluxGeometry::SLIP)
         {
             const label i = geometry.unknownIndex()[facei];
-            const vector& n = geometry.n()[facei];
             const vector& a = ownSide_[i];
 
             vector du(dz.U[mesh.faceOwner()[facei]]);
@@ -248,7 +247,7 @@ void Foam::sweep::solveFluid(const unifiedVector& r, unifiedVector& dz)
             {
                 du += cmptDivide(r.Uf[i], a);
             }
-            dz.Uf[i] = du - (du & n)*n;
+            dz.Uf[i] = geometry.tangential(facei, du);
         }
     }
 }

@@ -201,8 +201,7 @@ void Foam::unifiedOperator::applySolid
 
         if (geometry().kind(facei) == fluxGeometry::SLIP)
         {
-            const vector& n = geometry().n()[facei];
-            y.Uf[i] -= (y.Uf[i] & n)*n;
+            y.Uf[i] = geometry().tangential(facei, y.Uf[i]);
         }
     }
 }

@@ -519,11 +519,10 @@ void Foam::momentumFlux::forces
         else
         {
             // Slip: the wall gives the normal part, nothing the tangential
-            const vector& n = geometry_.n()[facei];
-            const vector normal((F & n)*n);
+            const vector tangential(geometry_.tangential(facei, F));
 
-            cellForce[own[facei]] += normal;
-            faceForce[i] = F - normal;
+            cellForce[own[facei]] += F - tangential;
+            faceForce[i] = tangential;
         }
     }
 
@@ -640,11 +639,13 @@ Foam::vector Foam::momentumFlux::shareOf
     const vector& R
 ) const
 {
-    const vector& n = geometry_.n()[geometry_.unknownFaces()[i]];
-    const vector normal((R & n)*n);
+    const vector tangential
+    (
+        geometry_.tangential(geometry_.unknownFaces()[i], R)
+    );
     const vector share
     (
-        ownShareT_[i]*(R - normal) + ownShareN_[i]*normal
+        ownShareT_[i]*tangential + ownShareN_[i]*(R - tangential)
     );
 
     return owner ? share : R - share;
@@ -709,14 +710,14 @@ void Foam::momentumFlux::stressField
     forAll(geometry_.unknownFaces(), i)
     {
         const label facei = geometry_.unknownFaces()[i];
-        vector excess(R[i]);
 
-        if (geometry_.kind(facei) == fluxGeometry::INTERFACE)
-        {
-            excess = shareOf(i, true, R[i]);
-        }
-
-        traction[facei] = (ownForce_[facei] - excess)/magS[facei];
+        traction[facei] -=
+            (
+                geometry_.kind(facei) == fluxGeometry::INTERFACE
+              ? shareOf(i, true, R[i])
+              : R[i]
+            )
+           /magS[facei];
     }
 }
 
