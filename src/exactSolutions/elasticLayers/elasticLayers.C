@@ -21,8 +21,7 @@ License
 
 #include "elasticLayers.H"
 #include "addToRunTimeSelectionTable.H"
-#include "Time.H"
-#include "uniformDimensionedFields.H"
+#include "readGravity.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -70,26 +69,6 @@ Foam::vector Foam::elasticLayers::displacement
     );
 
     return l.D + strain(*l.what, traction);
-}
-
-
-void Foam::elasticLayers::readGravity()
-{
-    const IOobject io
-    (
-        "g",
-        mesh().time().constant(),
-        mesh(),
-        IOobject::MUST_READ,
-        IOobject::NO_WRITE,
-        false
-    );
-
-    g_ = Zero;
-    if (IOobject(io).typeHeaderOk<uniformDimensionedVectorField>(true))
-    {
-        g_ = uniformDimensionedVectorField(io).value();
-    }
 }
 
 
@@ -152,9 +131,9 @@ void Foam::elasticLayers::readLayers()
 Foam::elasticLayers::elasticLayers(const polyMesh& mesh)
 :
     exactSolution(mesh),
-    n_(get<vector>("direction")/mag(get<vector>("direction")))
+    n_(get<vector>("direction")/mag(get<vector>("direction"))),
+    g_(readGravity(mesh))
 {
-    readGravity();
     readLayers();
 }
 

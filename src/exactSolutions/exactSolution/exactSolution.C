@@ -20,6 +20,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "exactSolution.H"
+#include "materialZones.H"
 #include "Time.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -48,32 +49,17 @@ void Foam::exactSolution::readMaterials()
         )
     );
 
-    const material::kinematicsType kinematics =
-        material::kinematicsNames.getOrDefault
-        (
-            "kinematics",
-            properties,
-            material::PLANE_STRAIN
-        );
-
+    materials_ = materialZones::readMaterials(properties);
     zoneMaterial_.setSize(mesh_.cellZones().size(), -1);
 
-    for (const entry& e : properties)
+    forAll(materials_, i)
     {
-        if (e.isDict())
+        for (const word& zone : materials_[i].cellZones())
         {
-            materials_.append
-            (
-                material::New(e.keyword(), e.dict(), kinematics)
-            );
-
-            for (const word& zone : materials_.last().cellZones())
+            const label zonei = mesh_.cellZones().findZoneID(zone);
+            if (zonei >= 0)
             {
-                const label zonei = mesh_.cellZones().findZoneID(zone);
-                if (zonei >= 0)
-                {
-                    zoneMaterial_[zonei] = materials_.size() - 1;
-                }
+                zoneMaterial_[zonei] = i;
             }
         }
     }

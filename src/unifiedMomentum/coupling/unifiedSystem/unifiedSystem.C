@@ -28,7 +28,7 @@ License
 #include "fvcFlux.H"
 #include "localIOdictionary.H"
 #include "sigFpe.H"
-#include "uniformDimensionedFields.H"
+#include "readGravity.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -435,8 +435,7 @@ void Foam::unifiedSystem::extrapolateDisplacement()
 
             if (geometry.kind(facei) == fluxGeometry::SLIP)
             {
-                const vector& n = geometry.n()[facei];
-                df[facei] -= (df[facei] & n)*n;
+                df[facei] = geometry.tangential(facei, df[facei]);
             }
         }
     }
@@ -542,7 +541,7 @@ Foam::unifiedSystem::unifiedSystem(fvMesh& mesh)
         mesh,
         dimensionedScalar("rho", dimDensity, 0)
     ),
-    g_(Zero),
+    g_(readGravity(mesh)),
     fvOptions_(fv::options::New(mesh)),
     flux_(materials_, U_, p_),
     op_(flux_),
@@ -582,30 +581,6 @@ Foam::unifiedSystem::unifiedSystem(fvMesh& mesh)
         }
     }
     rho_.correctBoundaryConditions();
-
-    const IOobject gIO
-    (
-        "g",
-        mesh.time().constant(),
-        mesh,
-        IOobject::READ_IF_PRESENT,
-        IOobject::NO_WRITE
-    );
-    if (IOobject(gIO).typeHeaderOk<uniformDimensionedVectorField>(true))
-    {
-        g_ = uniformDimensionedVectorField
-        (
-            IOobject
-            (
-                "g",
-                mesh.time().constant(),
-                mesh,
-                IOobject::MUST_READ,
-                IOobject::NO_WRITE,
-                false
-            )
-        ).value();
-    }
 
     const bool haveUf = onDisk(Uf_);
     const bool haveDf = onDisk(Df_);

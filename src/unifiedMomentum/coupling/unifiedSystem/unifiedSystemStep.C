@@ -404,10 +404,6 @@ void Foam::unifiedSystem::updateDisplacement()
             faceValue(traction_, facei) = traction[facei];
         }
     }
-    for (const label facei : geometry.unknownFaces())
-    {
-        faceValue(traction_, facei) = traction[facei];
-    }
 
     fvOptions_.correct(U_);
 }

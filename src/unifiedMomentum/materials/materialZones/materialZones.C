@@ -25,19 +25,25 @@ License
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::material::kinematicsType Foam::materialZones::readKinematics() const
+Foam::material::kinematicsType Foam::materialZones::readKinematics
+(
+    const dictionary& properties
+)
 {
-    const material::kinematicsType kinematics =
-        material::kinematicsNames.getOrDefault
-        (
-            "kinematics",
-            *this,
-            material::PLANE_STRAIN
-        );
+    return material::kinematicsNames.getOrDefault
+    (
+        "kinematics",
+        properties,
+        material::PLANE_STRAIN
+    );
+}
 
+
+void Foam::materialZones::checkKinematics() const
+{
     if
     (
-        kinematics == material::PLANE_STRESS
+        readKinematics(*this) == material::PLANE_STRESS
      && (mesh_.nSolutionD() != 2 || mesh_.solutionD().z() > 0)
     )
     {
@@ -48,25 +54,29 @@ Foam::material::kinematicsType Foam::materialZones::readKinematics() const
             << "    Valid choices: planeStrain"
             << exit(FatalIOError);
     }
-
-    return kinematics;
 }
 
 
-void Foam::materialZones::readMaterials()
+Foam::PtrList<Foam::material> Foam::materialZones::readMaterials
+(
+    const dictionary& properties
+)
 {
-    for (const entry& e : *this)
+    const material::kinematicsType kinematics = readKinematics(properties);
+    PtrList<material> materials;
+
+    for (const entry& e : properties)
     {
         if (e.isDict())
         {
-            materials_.append
+            materials.append
             (
-                material::New(e.keyword(), e.dict(), kinematics_)
+                material::New(e.keyword(), e.dict(), kinematics)
             );
         }
         else if (e.keyword() != "kinematics")
         {
-            FatalIOErrorInFunction(*this)
+            FatalIOErrorInFunction(properties)
                 << "Unknown entry '" << e.keyword() << "'" << nl
                 << "    Valid choices: kinematics, or a dictionary that"
                 << " describes a material"
@@ -74,14 +84,16 @@ void Foam::materialZones::readMaterials()
         }
     }
 
-    if (materials_.empty())
+    if (materials.empty())
     {
-        FatalIOErrorInFunction(*this)
+        FatalIOErrorInFunction(properties)
             << "No material given" << nl
             << "    Valid choices: one dictionary for each material, with"
             << " type, cellZones, rho"
             << exit(FatalIOError);
     }
+
+    return materials;
 }
 
 
@@ -232,11 +244,11 @@ Foam::materialZones::materialZones(const fvMesh& mesh)
         )
     ),
     mesh_(mesh),
-    kinematics_(readKinematics()),
     materials_(),
     cellMaterial_(mesh.nCells(), -1)
 {
-    readMaterials();
+    checkKinematics();
+    materials_ = readMaterials(*this);
     assignCells();
     checkFluidsApart();
 }
