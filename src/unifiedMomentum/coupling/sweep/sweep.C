@@ -152,6 +152,16 @@ void Foam::sweep::setPressure()
         }
     }
 
+    const label refCell = enclosed_.refCell();
+    if (refCell >= 0)
+    {
+        // As fvMatrix::setReference does
+        for (const label facei : mesh.cells()[refCell])
+        {
+            cellCoeffs[refCell] += faceD_[facei];
+        }
+    }
+
     pressure_->set(cellCoeffs, faceD_, scalarField(), mesh.solverDict("p"));
 }
 
@@ -366,6 +376,12 @@ Foam::sweep::sweep(unifiedOperator& op)
     D_(op.geometry().mesh().nCells(), 0),
     faceD_(op.geometry().mesh().nFaces(), 0),
     solid_(op, solidMomentum_, ownSide_, neiSide_),
+    enclosed_
+    (
+        op,
+        compliance_,
+        op.geometry().mesh().lookupObject<volScalarField>("p")
+    ),
     betaDt_(-1),
     r_(op.geometry().mesh().nCells(), ownSide_.size()),
     correction_(r_),
@@ -434,6 +450,7 @@ void Foam::sweep::update()
         }
 
         setPressure();
+        enclosed_.update(solid_);
     }
 }
 
@@ -472,6 +489,13 @@ void Foam::sweep::apply(const unifiedVector& r, unifiedVector& dz)
 
         op_.applyContinuity(dz, rp_);
         rp_ = r.p - rp_;
+
+        if (corr == 0 && enclosed_.elastic())
+        {
+            enclosed_.correct(rp_, dz);
+            op_.applyContinuity(dz, rp_);
+            rp_ = r.p - rp_;
+        }
 
         solvePressure(rp_);
         correct(dz);

@@ -119,6 +119,7 @@ void Foam::unifiedSystem::freeze()
     }
 
     sweep_.update();
+    sweep_.enclosed().checkFlux(phi_);
 
     // Displacement as a velocity, D/(beta dt): the size of the elastic force
     unifiedVector d(z_.U.size(), z_.Uf.size());
@@ -301,6 +302,14 @@ void Foam::unifiedSystem::solve()
 
     nSweeps_ += perf.nSweeps;
     krylovConverged_ = perf.converged;
+
+    if (sweep_.enclosed().elastic())
+    {
+        // Volumes to round-off: their errors are levels of pressure
+        sweep_.enclosed().correct(r_.p, z_);
+        op_.residual(z_, known_, r_);
+    }
+    sweep_.enclosed().setLevel(z_.p);
 }
 
 
