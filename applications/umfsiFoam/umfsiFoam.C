@@ -84,6 +84,7 @@ Reference
 
 #include "fvCFD.H"
 #include "unifiedSystem.H"
+#include "restartTimes.H"
 
 // * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
 
@@ -96,6 +97,8 @@ int main(int argc, char *argv[])
     );
 
     #include "setRootCase.H"
+    restartTimes::setAsideUnfinished(args);
+
     #include "createTime.H"
     #include "createMesh.H"
 
@@ -118,7 +121,7 @@ int main(int argc, char *argv[])
         system.updateDisplacement();
         system.report();
 
-        runTime.write();
+        restartTimes::write(runTime);
     }
 
     Info<< nl << "End" << nl << endl;
