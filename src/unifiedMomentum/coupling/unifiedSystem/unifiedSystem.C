@@ -144,6 +144,57 @@ namespace Foam
     }
 
 
+    //- Fail on a mesh with cells inside out. Also turns floating point traps
+    //  off: a number that is none shall end the run with a message
+    static fvMesh& checkedMesh(fvMesh& mesh)
+    {
+        sigFpe::unset();
+
+        if
+        (
+            mesh.checkCellVolumes(true)
+         || mesh.checkFacePyramids(true, -SMALL)
+        )
+        {
+            FatalErrorInFunction
+                << "The mesh has cells of negative volume or faces that point"
+                << " the wrong way, see above and checkMesh" << nl
+                << "    Valid choices: a mesh that checkMesh passes"
+                << exit(FatalError);
+        }
+
+        return mesh;
+    }
+
+
+    //- Fail on values that are no numbers
+    template<class FieldType>
+    static void checkNumbers(const FieldType& field)
+    {
+        label nBad = 0;
+        forAll(field, celli)
+        {
+            nBad += !std::isfinite(mag(field[celli]));
+        }
+        reduce(nBad, sumOp<label>());
+
+        if (nBad)
+        {
+            const localIOdictionary file
+            (
+                fieldIO(field.name(), field.mesh(), IOobject::MUST_READ),
+                FieldType::typeName
+            );
+
+            FatalIOErrorInFunction(file)
+                << "Entry 'internalField' of field " << field.name() << " has "
+                << nBad << " values that are not finite numbers" << nl
+                << "    Valid choices: finite numbers"
+                << exit(FatalIOError);
+        }
+    }
+
+
     //- Fail on wrong dimensions
     template<class FieldType>
     static void checkDimensions
@@ -176,6 +227,16 @@ namespace Foam
 void Foam::unifiedSystem::readControls()
 {
     const dictionary& pimple = mesh_.solutionDict().subDict("PIMPLE");
+
+    checkEntries
+    (
+        pimple,
+        {
+            "momentumPredictor", "nOuterCorrectors", "nCorrectors",
+            "nNonOrthogonalCorrectors", "residualControl", "krylov",
+            "onNonConvergence", "pRefCell", "pRefPoint", "pRefValue"
+        }
+    );
 
     nOuterCorrectors_ = checkRange(pimple, "nOuterCorrectors", 1, 1);
     checkRange(pimple, "nCorrectors", 3, 1);
@@ -239,6 +300,9 @@ void Foam::unifiedSystem::checkPatches() const
         "[1 -1 -2 0 0 0 0]: the pressure in Pa. Kinematic pressure, as in"
         " pimpleFoam, must be multiplied by the density"
     );
+    checkNumbers(U_);
+    checkNumbers(p_);
+    checkNumbers(D_);
 
     forAll(mesh_.boundary(), patchi)
     {
@@ -488,8 +552,7 @@ Foam::unifiedSystem::unifiedSystem(fvMesh& mesh)
     // Function objects find the energies by this name
     regIOobject(IOobject(typeName, mesh.time().timeName(), mesh)),
 
-    // Traps off: a number that is none shall end the run with a message
-    mesh_((sigFpe::unset(), mesh)),
+    mesh_(checkedMesh(mesh)),
     p_(fieldIO("p", mesh, IOobject::MUST_READ), mesh),
     U_(fieldIO("U", mesh, IOobject::MUST_READ), mesh),
     materials_(mesh),

@@ -187,9 +187,11 @@ void Foam::materialZones::assignCells()
 }
 
 
-void Foam::materialZones::checkFluidsApart() const
+void Foam::materialZones::checkNeighbours() const
 {
     label nTouching = 0;
+    label nInterface = 0;
+    boolList present(2, false);
     label first = -1;
     label second = -1;
 
@@ -203,7 +205,13 @@ void Foam::materialZones::checkFluidsApart() const
           ? cellMaterial_[mesh_.faceNeighbour()[facei]]
           : nbr[facei - mesh_.nInternalFaces()];
 
-        if (own != nei && !materials_[own].solid() && !materials_[nei].solid())
+        present[materials_[own].solid()] = true;
+
+        if (materials_[own].solid() != materials_[nei].solid())
+        {
+            ++nInterface;
+        }
+        else if (own != nei && !materials_[own].solid())
         {
             ++nTouching;
             first = min(own, nei);
@@ -212,6 +220,9 @@ void Foam::materialZones::checkFluidsApart() const
     }
 
     reduce(nTouching, sumOp<label>());
+    reduce(nInterface, sumOp<label>());
+    reduce(present[false], orOp<bool>());
+    reduce(present[true], orOp<bool>());
     reduce(first, maxOp<label>());
     reduce(second, maxOp<label>());
 
@@ -223,6 +234,16 @@ void Foam::materialZones::checkFluidsApart() const
             << materials_[second].name() << ": these touch each other at "
             << nTouching << " faces" << nl
             << "    Valid choices: one fluid, or fluids separated by a solid"
+            << exit(FatalIOError);
+    }
+
+    if (present[false] && present[true] && !nInterface)
+    {
+        FatalIOErrorInFunction(*this)
+            << "Entries 'cellZones': fluids and solids have no face in common,"
+            << " their parts of the mesh are not connected" << nl
+            << "    Valid choices: one mesh with common faces (blockMesh without"
+            << " mergePatchPairs, stitchMesh), or cases of their own"
             << exit(FatalIOError);
     }
 }
@@ -250,7 +271,7 @@ Foam::materialZones::materialZones(const fvMesh& mesh)
     checkKinematics();
     materials_ = readMaterials(*this);
     assignCells();
-    checkFluidsApart();
+    checkNeighbours();
 }
 
 
