@@ -84,7 +84,8 @@ Reference
 
 #include "fvCFD.H"
 #include "unifiedSystem.H"
-#include "restartTimes.H"
+#include "restartableTime.H"
+#include "sigFpe.H"
 
 // * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
 
@@ -97,9 +98,13 @@ int main(int argc, char *argv[])
     );
 
     #include "setRootCase.H"
-    restartTimes::setAsideUnfinished(args);
 
-    #include "createTime.H"
+    // A number that is none shall end the run with a message
+    sigFpe::unset();
+
+    Info<< "Create time" << nl << endl;
+    restartableTime runTime(args);
+
     #include "createMesh.H"
 
     unifiedSystem system(mesh);
@@ -121,7 +126,7 @@ int main(int argc, char *argv[])
         system.updateDisplacement();
         system.report();
 
-        restartTimes::write(runTime);
+        runTime.write();
     }
 
     Info<< nl << "End" << nl << endl;

@@ -138,12 +138,17 @@ void Foam::enclosedFluids::readReference(const volScalarField& p)
 {
     const label nRigid = nCells_.size() - nElastic_;
 
+    const dictionary& pimple = p.mesh().solutionDict().subDict("PIMPLE");
+
     if (nRigid == 0)
     {
+        if (pimple.found("pRefCell") || pimple.found("pRefPoint"))
+        {
+            Info<< "No reference of p is needed: the entries pRef... are not"
+                << " used" << nl << endl;
+        }
         return;
     }
-
-    const dictionary& pimple = p.mesh().solutionDict().subDict("PIMPLE");
 
     if (nRigid > 1)
     {
@@ -257,14 +262,13 @@ void Foam::enclosedFluids::setVolumes()
         }
     }
 
-    const SVD svd(Q, 1e-9);
+    const SVD svd(Q, 1e-12);
 
     if (svd.nZeros())
     {
         FatalErrorInFunction
-            << "The pressure level of enclosed fluids is not determined: a"
-            << " solid lies between them, but rigid walls keep their volume"
-            << nl << "    Valid choices: a patch that gives p in one of them"
+            << "The pressure levels of enclosed fluids are not determined:"
+            << " the volumes of some of them cannot change" << nl << "    Valid choices: a patch that gives p in one of them"
             << exit(FatalError);
     }
 

@@ -25,9 +25,9 @@ License
 #include "solidTractionFvPatchVectorField.H"
 #include "calculatedFvPatchFields.H"
 #include "emptyFvPatch.H"
-#include "fvcFlux.H"
 #include "localIOdictionary.H"
-#include "sigFpe.H"
+#include "linear.H"
+#include "onDisk.H"
 #include "readGravity.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -52,7 +52,7 @@ namespace Foam
     (
         const word& name,
         const fvMesh& mesh,
-        const IOobject::readOption read
+        const IOobject::readOption read = IOobject::MUST_READ
     )
     {
         return IOobject
@@ -66,13 +66,13 @@ namespace Foam
     }
 
 
-    //- Is the field in the time directory?
+    //- A field of the time directory, if there is one, of the right class
     template<class FieldType>
-    static bool onDisk(const FieldType& field)
+    static IOobject optionalIO(const word& name, const fvMesh& mesh)
     {
-        return
-            fieldIO(field.name(), field.mesh(), IOobject::MUST_READ)
-           .template typeHeaderOk<FieldType>(true);
+        onDisk<FieldType>(fieldIO(name, mesh));
+
+        return fieldIO(name, mesh, IOobject::READ_IF_PRESENT);
     }
 
 
@@ -88,7 +88,7 @@ namespace Foam
     {
         const localIOdictionary file
         (
-            fieldIO(field.name(), field.mesh(), IOobject::MUST_READ),
+            fieldIO(field.name(), field.mesh()),
             FieldType::typeName
         );
         const word& patch = field.mesh().boundary()[patchi].name();
@@ -144,20 +144,22 @@ namespace Foam
     }
 
 
-    //- Fail on a mesh with cells inside out. Also turns floating point traps
-    //  off: a number that is none shall end the run with a message
+    //- Fail on a mesh with cells inside out or of no finite size
     static fvMesh& checkedMesh(fvMesh& mesh)
     {
-        sigFpe::unset();
-
         if
         (
-            mesh.checkCellVolumes(true)
-         || mesh.checkFacePyramids(true, -SMALL)
+            !std::isfinite(gSum(mesh.cellVolumes()))
+         || mesh.checkCellVolumes(false)
+         || mesh.checkFacePyramids(false, -SMALL)
         )
         {
+            mesh.checkCellVolumes(true);
+            mesh.checkFacePyramids(true, -SMALL);
+
             FatalErrorInFunction
-                << "The mesh has cells of negative volume or faces that point"
+                << "Folder " << mesh.facesInstance()/mesh.meshDir()
+                << ": the mesh has cells of negative volume or faces that point"
                 << " the wrong way, see above and checkMesh" << nl
                 << "    Valid choices: a mesh that checkMesh passes"
                 << exit(FatalError);
@@ -167,30 +169,55 @@ namespace Foam
     }
 
 
-    //- Fail on values that are no numbers
+    //- Fail on values that are no numbers: of cells or faces, of patches, of
+    //  the time levels before
     template<class FieldType>
     static void checkNumbers(const FieldType& field)
     {
+        word where("internalField");
         label nBad = 0;
-        forAll(field, celli)
+
+        const auto count = [&](const typename FieldType::value_type& value)
         {
-            nBad += !std::isfinite(mag(field[celli]));
+            nBad += !std::isfinite(mag(value));
+        };
+
+        for (const auto& value : field.primitiveField())
+        {
+            count(value);
         }
         reduce(nBad, sumOp<label>());
+
+        // The same patches on all processes: not those between them
+        const label nPatches = field.mesh().boundaryMesh().nNonProcessor();
+        for (label patchi = 0; patchi < nPatches && !nBad; ++patchi)
+        {
+            where = field.mesh().boundary()[patchi].name();
+            for (const auto& value : field.boundaryField()[patchi])
+            {
+                count(value);
+            }
+            reduce(nBad, sumOp<label>());
+        }
 
         if (nBad)
         {
             const localIOdictionary file
             (
-                fieldIO(field.name(), field.mesh(), IOobject::MUST_READ),
+                fieldIO(field.name(), field.mesh()),
                 FieldType::typeName
             );
 
             FatalIOErrorInFunction(file)
-                << "Entry 'internalField' of field " << field.name() << " has "
-                << nBad << " values that are not finite numbers" << nl
-                << "    Valid choices: finite numbers"
+                << "Entry '" << where << "' of field " << field.name()
+                << " has " << nBad << " values that are not finite numbers"
+                << nl << "    Valid choices: finite numbers"
                 << exit(FatalIOError);
+        }
+
+        if (field.nOldTimes())
+        {
+            checkNumbers(field.oldTime());
         }
     }
 
@@ -208,7 +235,7 @@ namespace Foam
         {
             const localIOdictionary file
             (
-                fieldIO(field.name(), field.mesh(), IOobject::MUST_READ),
+                fieldIO(field.name(), field.mesh()),
                 FieldType::typeName
             );
 
@@ -224,8 +251,77 @@ namespace Foam
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+void Foam::unifiedSystem::checkTime() const
+{
+    const Time& time = mesh_.time();
+    const dictionary& control = time.controlDict();
+
+    wordList entries({"deltaT"});
+    if (control.getOrDefault("adjustTimeStep", false))
+    {
+        entries.append("maxCo");
+        entries.append("maxDeltaT");
+    }
+
+    for (const word& entry : entries)
+    {
+        if (control.found(entry) && !(control.get<scalar>(entry) > 0))
+        {
+            FatalIOErrorInFunction(control)
+                << "Entry '" << entry << "' is " << control.get<scalar>(entry)
+                << nl << "    Valid choices: any number above 0"
+                << exit(FatalIOError);
+        }
+    }
+
+    if (time.endTime().value() < time.startTime().value())
+    {
+        FatalIOErrorInFunction(control)
+            << "Entry 'endTime' is " << time.endTime().value()
+            << ", before the start at " << time.startTime().value() << nl
+            << "    Valid choices: " << time.startTime().value() << " and above"
+            << exit(FatalIOError);
+    }
+}
+
+
+void Foam::unifiedSystem::checkOptions() const
+{
+    const wordRes refused
+    ({
+        wordRe(".*Constraint", wordRe::REGEX),
+        wordRe("meanVelocityForce"),
+        wordRe("patchMeanVelocityForce"),
+        wordRe("directionalPressureGradientExplicitSource")
+    });
+
+    for (const fv::option& option : static_cast<fv::optionList&>(fvOptions_))
+    {
+        if (refused.match(option.type()))
+        {
+            FatalIOErrorInFunction(option.coeffs())
+                << "Entry 'type' of " << option.name() << " is "
+                << option.type() << ", which constrains a matrix that this"
+                << " solver does not have" << nl
+                << "    Valid choices: options that are sources"
+                << exit(FatalIOError);
+        }
+    }
+}
+
+
 void Foam::unifiedSystem::readControls()
 {
+    const dictionary& solution = mesh_.solutionDict();
+
+    if (!solution.isDict("solvers"))
+    {
+        FatalIOErrorInFunction(solution)
+            << "Entry 'solvers' is missing, or is not a dictionary" << nl
+            << "    Valid choices: a dictionary with p, U (fluids), D (solids)"
+            << exit(FatalIOError);
+    }
+
     const dictionary& pimple = mesh_.solutionDict().subDict("PIMPLE");
 
     checkEntries
@@ -237,6 +333,17 @@ void Foam::unifiedSystem::readControls()
             "onNonConvergence", "pRefCell", "pRefPoint", "pRefValue"
         }
     );
+
+    for (const word entry : {"residualControl", "krylov"})
+    {
+        if (pimple.found(entry) && !pimple.isDict(entry))
+        {
+            FatalIOErrorInFunction(pimple)
+                << "Entry '" << entry << "' is not a dictionary" << nl
+                << "    Valid choices: " << entry << " { ... }"
+                << exit(FatalIOError);
+        }
+    }
 
     nOuterCorrectors_ = checkRange(pimple, "nOuterCorrectors", 1, 1);
     checkRange(pimple, "nCorrectors", 3, 1);
@@ -300,9 +407,6 @@ void Foam::unifiedSystem::checkPatches() const
         "[1 -1 -2 0 0 0 0]: the pressure in Pa. Kinematic pressure, as in"
         " pimpleFoam, must be multiplied by the density"
     );
-    checkNumbers(U_);
-    checkNumbers(p_);
-    checkNumbers(D_);
 
     forAll(mesh_.boundary(), patchi)
     {
@@ -553,12 +657,12 @@ Foam::unifiedSystem::unifiedSystem(fvMesh& mesh)
     regIOobject(IOobject(typeName, mesh.time().timeName(), mesh)),
 
     mesh_(checkedMesh(mesh)),
-    p_(fieldIO("p", mesh, IOobject::MUST_READ), mesh),
-    U_(fieldIO("U", mesh, IOobject::MUST_READ), mesh),
+    p_(fieldIO("p", mesh), mesh),
+    U_(fieldIO("U", mesh), mesh),
     materials_(mesh),
     D_
     (
-        fieldIO("D", mesh, IOobject::READ_IF_PRESENT),
+        optionalIO<volVectorField>("D", mesh),
         mesh,
         dimensionedVector("D", dimLength, Zero)
     ),
@@ -576,25 +680,25 @@ Foam::unifiedSystem::unifiedSystem(fvMesh& mesh)
     ),
     phi_
     (
-        fieldIO("phi", mesh, IOobject::READ_IF_PRESENT),
+        optionalIO<surfaceScalarField>("phi", mesh),
         mesh,
         dimensionedScalar("phi", dimVelocity*dimArea, 0)
     ),
     Uf_
     (
-        fieldIO("Uf", mesh, IOobject::READ_IF_PRESENT),
+        optionalIO<surfaceVectorField>("Uf", mesh),
         mesh,
         dimensionedVector("Uf", dimVelocity, Zero)
     ),
     Df_
     (
-        fieldIO("Df", mesh, IOobject::READ_IF_PRESENT),
+        optionalIO<surfaceVectorField>("Df", mesh),
         mesh,
         dimensionedVector("Df", dimLength, Zero)
     ),
     continuityError_
     (
-        fieldIO("continuityError", mesh, IOobject::READ_IF_PRESENT),
+        optionalIO<volScalarField>("continuityError", mesh),
         mesh,
         dimensionedScalar("continuityError", dimless, 0)
     ),
@@ -627,8 +731,17 @@ Foam::unifiedSystem::unifiedSystem(fvMesh& mesh)
     elastic_(nBlocks, 0.0),
     weight_(nBlocks, 1.0)
 {
+    checkTime();
     readControls();
+    checkOptions();
     checkPatches();
+    checkNumbers(U_);
+    checkNumbers(p_);
+    checkNumbers(D_);
+    checkNumbers(phi_);
+    checkNumbers(Uf_);
+    checkNumbers(Df_);
+    checkNumbers(continuityError_);
 
     traction_.setOriented();
 
@@ -645,9 +758,9 @@ Foam::unifiedSystem::unifiedSystem(fvMesh& mesh)
     }
     rho_.correctBoundaryConditions();
 
-    const bool haveUf = onDisk(Uf_);
-    const bool haveDf = onDisk(Df_);
-    const bool havePhi = onDisk(phi_);
+    const bool haveUf = onDisk<surfaceVectorField>(fieldIO("Uf", mesh));
+    const bool haveDf = onDisk<surfaceVectorField>(fieldIO("Df", mesh));
+    const bool havePhi = onDisk<surfaceScalarField>(fieldIO("phi", mesh));
 
     // A restart reads the previous levels with the fields
     haveOldOld_ =
@@ -667,7 +780,8 @@ Foam::unifiedSystem::unifiedSystem(fvMesh& mesh)
     if (!havePhi)
     {
         // Without the pressure's part: p need not belong to U at the start
-        phi_ = fvc::flux(U_);
+        const surfaceVectorField Ulinear(linearInterpolate(U_));
+        phi_ = mesh.Sf() & Ulinear;
     }
 
     // From here on each step stores the two levels before it by itself, and

@@ -93,6 +93,21 @@ Foam::unifiedSystem::blockValues Foam::unifiedSystem::norms
 }
 
 
+Foam::scalar Foam::unifiedSystem::pressureNorm(const scalarField& p) const
+{
+    const fluxGeometry& geometry = flux_.geometry();
+    scalar sum = 0;
+
+    for (const label celli : geometry.cellsAndFaces(false).cells)
+    {
+        const scalar area = pow(geometry.V()[celli], 2.0/3.0);
+        sum += sqr(p[celli]*area)/cmptMax(sweep_.diag()[celli]);
+    }
+
+    return sum;
+}
+
+
 void Foam::unifiedSystem::relativeResiduals
 (
     const unifiedVector& z,
@@ -113,11 +128,12 @@ void Foam::unifiedSystem::relativeResiduals
     };
 
     // One reduction for all sums
-    scalarList all(4*nBlocks);
-    forAll(all, i)
+    scalarList all(4*nBlocks + 1);
+    for (label i = 0; i < 4*nBlocks; ++i)
     {
         all[i] = parts[i/nBlocks][i % nBlocks];
     }
+    all.last() = pressureNorm(z.p);
     Pstream::listCombineGather(all, plusEqOp<scalar>());
     Pstream::listCombineScatter(all);
 
@@ -145,6 +161,7 @@ void Foam::unifiedSystem::relativeResiduals
     // in which nothing happens (pressure in pure shear, a fluid at rest) is
     // not asked for digits below the round-off of the others
     scale[CONTINUITY] = max(scale[CONTINUITY], 1e-6*scale[FLUID]);
+    scale[FLUID] = max(scale[FLUID], 1e-9*sqrt(all.last()));
     const scalar least = 1e-9*max(scale);
 
     forAll(relative, i)

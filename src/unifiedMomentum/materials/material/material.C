@@ -80,7 +80,7 @@ Foam::scalar Foam::material::readAbove
     const scalar value = dict.get<scalar>(entry);
 
     // Written so that NaN fails too
-    if (!(value > limit && value < GREAT))
+    if (!(value > limit && value < VGREAT))
     {
         FatalIOErrorInFunction(dict)
             << "Entry '" << entry << "' of material " << dict.dictName()

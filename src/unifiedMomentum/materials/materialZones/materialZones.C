@@ -108,6 +108,16 @@ void Foam::materialZones::assignCells()
     {
         const material& m = materials_[materiali];
 
+        if (m.cellZones().empty())
+        {
+            FatalIOErrorInFunction(subDict(m.name()))
+                << "Entry 'cellZones' of material " << m.name()
+                << " names no zone" << nl
+                << "    Valid choices: "
+                << flatOutput(mesh_.cellZones().names())
+                << exit(FatalIOError);
+        }
+
         for (const word& zoneName : m.cellZones())
         {
             const label zonei = mesh_.cellZones().findZoneID(zoneName);
@@ -137,6 +147,15 @@ void Foam::materialZones::assignCells()
 
             for (const label celli : cells)
             {
+                if (celli < 0 || celli >= mesh_.nCells())
+                {
+                    FatalErrorInFunction
+                        << "File " << mesh_.cellZones().objectPath()
+                        << ": entry 'cellLabels' of zone " << zoneName
+                        << " names cell " << celli << nl
+                        << "    Valid choices: 0 to " << mesh_.nCells() - 1
+                        << exit(FatalError);
+                }
                 if (cellMaterial_[celli] >= 0)
                 {
                     ++nTwice;

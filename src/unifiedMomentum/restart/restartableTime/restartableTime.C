@@ -1,0 +1,422 @@
+/*---------------------------------------------------------------------------*\
+  umfsiFoam: fluid-structure interaction with one momentum equation
+-------------------------------------------------------------------------------
+License
+    This file is part of umfsiFoam.
+
+    umfsiFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by
+    the Free Software Foundation, either version 3 of the License, or
+    (at your option) any later version.
+
+    umfsiFoam is distributed in the hope that it will be useful, but WITHOUT
+    ANY WARRANTY; without even the implied warranty of MERCHANTABILITY or
+    FITNESS FOR A PARTICULAR PURPOSE.  See the GNU General Public License
+    for more details.
+
+    You should have received a copy of the GNU General Public License
+    along with umfsiFoam.  If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+
+#include "restartableTime.H"
+#include "IFstream.H"
+#include "OFstream.H"
+#include "OSspecific.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+    //- Name of the file that names the time being written
+    static fileName markOf(const fileName& globalCase)
+    {
+        return globalCase/"unfinishedTime";
+    }
+
+
+    //- Does a file end as OpenFOAM's files do, collated ones with a bracket?
+    static bool hasEnd(const fileName& file)
+    {
+        // IFstream finds the compressed file by the other name
+        const fileName name(file.hasExt("gz") ? file.lessExt() : file);
+        IFstream is(name, IOstream::BINARY);
+        std::string last;
+        std::string part(1 << 16, ' ');
+
+        while (is.stdStream().good())
+        {
+            is.stdStream().read(&part[0], part.size());
+            last += part.substr(0, is.stdStream().gcount());
+            last.erase(0, last.size() > 100 ? last.size() - 100 : 0);
+        }
+
+        for (const std::string end : {"************ //\n", ")", ")\n"})
+        {
+            if
+            (
+                last.size() >= end.size()
+             && last.compare(last.size() - end.size(), end.size(), end) == 0
+            )
+            {
+                return true;
+            }
+        }
+
+        return false;
+    }
+
+
+    //- Folders with a time: of this process, on the master those of collated
+    //  files, too
+    static fileNameList foldersOf
+    (
+        const fileName& path,
+        const fileName& globalCase,
+        const word& time
+    )
+    {
+        fileNameList folders(1, path/time);
+
+        if (Pstream::parRun() && Pstream::master())
+        {
+            for
+            (
+                const fileName& name
+              : readDir(globalCase, fileName::DIRECTORY)
+            )
+            {
+                if (name.starts_with("processors"))
+                {
+                    folders.append(globalCase/name/time);
+                }
+            }
+        }
+
+        return folders;
+    }
+
+
+    //- The largest time of a folder, -GREAT if there is none. Not findTimes of
+    //  the file handler, which may remember what has been renamed since
+    static instant latestOf(const fileName& folder)
+    {
+        instant latest(-GREAT, "");
+
+        for (const fileName& name : readDir(folder, fileName::DIRECTORY))
+        {
+            scalar value;
+            if (readScalar(name.c_str(), value) && value > latest.value())
+            {
+                latest = instant(value, name);
+            }
+        }
+
+        return latest;
+    }
+
+
+    //- Is a time all there? Else which file is missing or has no end
+    static bool complete(const fileNameList& folders, fileName& broken)
+    {
+        for (const fileName& folder : folders)
+        {
+            if
+            (
+                isDir(folder)
+             && readDir(folder, fileName::FILE, false).empty()
+             && readDir(folder, fileName::DIRECTORY).empty()
+            )
+            {
+                broken = folder/"U";
+                return false;
+            }
+
+            // Times that users make need not be
+            if (!isFile(folder/"uniform"/"time"))
+            {
+                continue;
+            }
+
+            fileNameList names(readDir(folder, fileName::FILE, false));
+            names.append("uniform/time");
+
+            for (const fileName required : {"U", "p", "D"})
+            {
+                if (!names.found(required) && !names.found(required + ".gz"))
+                {
+                    names.append(required);
+                }
+            }
+
+            for (const fileName& name : names)
+            {
+                broken = folder/name;
+                if (!isFile(broken, false) || !hasEnd(broken))
+                {
+                    return false;
+                }
+            }
+        }
+
+        broken.clear();
+        return true;
+    }
+
+
+    //- Rename a time of all processes
+    static void setAside
+    (
+        const fileNameList& folders,
+        const word& time,
+        const string& why
+    )
+    {
+        bool renamed = false;
+
+        for (const fileName& folder : folders)
+        {
+            if (isDir(folder))
+            {
+                rmDir(folder + ".unfinished", true);
+                renamed = mv(folder, folder + ".unfinished") || renamed;
+            }
+        }
+
+        if (returnReduce(renamed, orOp<bool>()))
+        {
+            Info<< "Time " << time << " is not complete: " << why.c_str() << nl
+                << "    Renamed to " << time << ".unfinished" << nl << endl;
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::restartableTime::setAsideUnfinished(const argList& args)
+{
+    const fileName path(args.path());
+    const fileName globalCase(args.rootPath()/args.globalCaseName());
+    const fileName mark(markOf(globalCase));
+
+    string marked;
+    if (Pstream::master() && isFile(mark))
+    {
+        IFstream is(mark);
+        is.getLine(marked);
+    }
+    Pstream::scatter(marked);
+
+    scalar value;
+    if (readScalar(marked.c_str(), value))
+    {
+        const word time(word::validate(marked));
+        setAside
+        (
+            foldersOf(path, globalCase, time),
+            time,
+            "a run was stopped while writing it"
+        );
+    }
+
+    // The mark goes when all have renamed
+    if (returnReduce(true, andOp<bool>()) && Pstream::master())
+    {
+        rm(mark);
+    }
+
+    while (true)
+    {
+        // Of this process; collated files belong to all
+        instant latest(-GREAT, "");
+        bool collated = false;
+
+        for (const fileName& folder : foldersOf(path, globalCase, "."))
+        {
+            const instant last(latestOf(folder));
+            if (last.value() > latest.value())
+            {
+                latest = last;
+                collated = folder != path/".";
+            }
+        }
+
+        const scalar latestOfAll =
+            returnReduce(latest.value(), maxOp<scalar>());
+
+        if (latestOfAll < -0.5*GREAT)
+        {
+            return;
+        }
+
+        // Its name: of a process that has it
+        const bool mine = latest.value() == latestOfAll;
+        word name(mine ? latest.name() : word());
+        reduce(name, maxOp<word>());
+
+        const fileNameList folders(foldersOf(path, globalCase, name));
+        const bool everywhere =
+            returnReduce(collated && mine, orOp<bool>())
+         || returnReduce(mine, andOp<bool>());
+
+        fileName broken;
+        const bool ok = complete(folders, broken);
+        reduce(broken, maxOp<fileName>());
+
+        if (everywhere && returnReduce(ok, andOp<bool>()))
+        {
+            return;
+        }
+
+        setAside
+        (
+            folders,
+            name,
+            everywhere
+          ? broken + " is missing or has no end"
+          : string("not all processes have it")
+        );
+    }
+}
+
+
+const Foam::word& Foam::restartableTime::preparedCase(const argList& args)
+{
+    setAsideUnfinished(args);
+    return controlDictName;
+}
+
+
+void Foam::restartableTime::takePurge()
+{
+    keep_ = purgeWrite_;
+    purgeWrite_ = 0;
+}
+
+
+void Foam::restartableTime::readOldDeltaT()
+{
+    const IOdictionary last
+    (
+        IOobject
+        (
+            "time",
+            timeName(),
+            "uniform",
+            *this,
+            IOobject::READ_IF_PRESENT,
+            IOobject::NO_WRITE,
+            false
+        )
+    );
+
+    // The file has few digits
+    const scalar old = last.getOrDefault<scalar>("deltaT", deltaT_);
+    if (mag(old - deltaT_) > 1e-6*deltaT_)
+    {
+        deltaTSave_ = old;
+    }
+}
+
+
+void Foam::restartableTime::purge() const
+{
+    if (keep_ <= 0)
+    {
+        return;
+    }
+
+    if (previousWriteTimes_.empty() || previousWriteTimes_.top() != timeName())
+    {
+        previousWriteTimes_.push(timeName());
+    }
+
+    while (previousWriteTimes_.size() > keep_)
+    {
+        fileHandler().rmDir
+        (
+            fileHandler().filePath
+            (
+                objectRegistry::path(previousWriteTimes_.pop())
+            )
+        );
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::restartableTime::restartableTime(const argList& args)
+:
+    Time(preparedCase(args), args),
+    keep_(0)
+{
+    takePurge();
+    readOldDeltaT();
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::restartableTime::readDict()
+{
+    Time::readDict();
+    takePurge();
+}
+
+
+bool Foam::restartableTime::writeObject
+(
+    IOstream::streamFormat fmt,
+    IOstream::versionNumber ver,
+    IOstream::compressionType cmp,
+    const bool valid
+) const
+{
+    if (!writeTime())
+    {
+        return false;
+    }
+
+    const fileName globalCase(rootPath()/globalCaseName());
+    const fileName mark(markOf(globalCase));
+
+    if (Pstream::master())
+    {
+        OFstream os(mark);
+        os << timeName() << endl;
+    }
+
+    bool ok = Time::writeObject(fmt, ver, cmp, valid);
+    fileHandler().flush();
+    reduce(ok, andOp<bool>());
+
+    fileName broken;
+    ok = complete(foldersOf(path(), globalCase, timeName()), broken) && ok;
+    reduce(ok, andOp<bool>());
+    reduce(broken, maxOp<fileName>());
+
+    if (!ok)
+    {
+        FatalErrorInFunction
+            << "Time " << timeName() << " could not be written completely "
+            << broken.c_str() << nl
+            << "    Is the disk full? The times before are intact: the next"
+            << " run with startFrom latestTime goes on from there"
+            << exit(FatalError);
+    }
+
+    if (Pstream::master())
+    {
+        rm(mark);
+    }
+
+    purge();
+
+    return true;
+}
+
+
+// ************************************************************************* //
