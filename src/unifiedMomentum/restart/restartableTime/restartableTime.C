@@ -37,6 +37,7 @@ namespace Foam
 
 
     //- Does a file end as OpenFOAM's files do, collated ones with a bracket?
+    //  Other files, that have no FoamFile header, may end as they like
     static bool hasEnd(const fileName& file)
     {
         // IFstream finds the compressed file by the other name
@@ -44,11 +45,24 @@ namespace Foam
         IFstream is(name, IOstream::BINARY);
         std::string last;
         std::string part(1 << 16, ' ');
+        bool first = true;
 
         while (is.stdStream().good())
         {
             is.stdStream().read(&part[0], part.size());
             last += part.substr(0, is.stdStream().gcount());
+
+            if
+            (
+                first
+             && !last.empty()
+             && last.find("FoamFile") == std::string::npos
+            )
+            {
+                return true;
+            }
+            first = false;
+
             last.erase(0, last.size() > 100 ? last.size() - 100 : 0);
         }
 
