@@ -161,12 +161,24 @@ void Foam::unifiedSystem::relativeResiduals
     // in which nothing happens (pressure in pure shear, a fluid at rest) is
     // not asked for digits below the round-off of the others
     scale[CONTINUITY] = max(scale[CONTINUITY], 1e-6*scale[FLUID]);
-    scale[FLUID] = max(scale[FLUID], 1e-9*sqrt(all.last()));
     const scalar least = 1e-9*max(scale);
+
+    // Pressures that cancel leave their round-off
+    const scalar roundOff = 1e-14*sqrt(all.last());
 
     forAll(relative, i)
     {
-        const scalar residual = sqrt(all[i]);
+        scalar residual = sqrt(all[i]);
+
+        // Not by max, which would take a number that is none for zero
+        if (i == FLUID && residual <= roundOff)
+        {
+            residual = 0;
+        }
+        else if (i == FLUID)
+        {
+            residual -= roundOff;
+        }
 
         scale[i] = max(scale[i], least);
 
