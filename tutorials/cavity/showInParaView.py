@@ -4,7 +4,8 @@
 After Allrun, in this folder:
 
     paraview --script=showInParaView.py     window
-    pvpython showInParaView.py              picture only
+    pvpython showInParaView.py              picture only; without a display
+                                            after xvfb-run -a
 
 Both write cavityParaView.png. Cell values are shown, as computed.
 """
@@ -40,11 +41,6 @@ def show(target, source, field, component, limits):
 
 view = CreateView("RenderView")
 view.ViewSize = [1000, 800]
-view.CameraParallelProjection = 1
-view.CameraPosition = [0.035, 0, 10]
-view.CameraFocalPoint = [0.035, 0, 0]
-view.CameraViewUp = [0, 1, 0]
-view.CameraParallelScale = 0.08
 
 scene = GetAnimationScene()
 zones = {zone: opened(zone) for zone in ("cavity", "container")}
@@ -53,6 +49,14 @@ scene.GoToLast()
 
 show(view, zones["cavity"], "U", "Magnitude", (0, 0.03))
 show(view, zones["container"], "sigma", "YY", (-0.15, 0.15))
+
+# The first Render moves the camera
+Render(view)
+view.CameraParallelProjection = 1
+view.CameraPosition = [0.035, 0, 10]
+view.CameraFocalPoint = [0.035, 0, 0]
+view.CameraViewUp = [0, 1, 0]
+view.CameraParallelScale = 0.08
 
 Render(view)
 SaveScreenshot(os.path.join(CASE, "cavityParaView.png"), view)

@@ -4,7 +4,8 @@
 After Allrun, in this folder:
 
     paraview --script=showInParaView.py     window
-    pvpython showInParaView.py              picture only
+    pvpython showInParaView.py              picture only; without a display
+                                            after xvfb-run -a
 
 Both write poiseuilleFields.png. Cell values are shown, as computed. This file
 must not be named paraview.py: it would hide ParaView's own module.
@@ -39,11 +40,6 @@ def show(target, source, field, component):
 
 view = CreateView("RenderView")
 view.ViewSize = [1200, 600]
-view.CameraParallelProjection = 1
-view.CameraPosition = [0.15, 0.02, 10]
-view.CameraFocalPoint = [0.15, 0.02, 0]
-view.CameraViewUp = [0, 1, 0]
-view.CameraParallelScale = 0.09
 
 zones = {zone: opened(zone) for zone in ("fluid", "lowerPlate", "upperPlate")}
 
@@ -55,6 +51,14 @@ scene.GoToLast()
 show(view, zones["fluid"], "U", "Magnitude")
 show(view, zones["lowerPlate"], "sigma", "XX")
 show(view, zones["upperPlate"], "sigma", "XX")
+
+# The first Render moves the camera
+Render(view)
+view.CameraParallelProjection = 1
+view.CameraPosition = [0.17, 0.02, 10]
+view.CameraFocalPoint = [0.17, 0.02, 0]
+view.CameraViewUp = [0, 1, 0]
+view.CameraParallelScale = 0.1
 
 Render(view)
 SaveScreenshot(os.path.join(CASE, "poiseuilleFields.png"), view)
