@@ -21,7 +21,11 @@ License
 
 #include "materialZones.H"
 #include "FlatOutput.H"
+#include "Tuple2.H"
+#include "emptyPolyPatch.H"
+#include "indexedOctree.H"
 #include "syncTools.H"
+#include "treeDataFace.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -268,6 +272,91 @@ void Foam::materialZones::checkNeighbours() const
 }
 
 
+void Foam::materialZones::checkUnconnected() const
+{
+    DynamicList<label> solidFaces;
+
+    // Centres of the fluids' faces, and the distance that is none
+    typedef Tuple2<point, scalar> sample;
+    List<DynamicList<sample>> samples(Pstream::nProcs());
+    DynamicList<sample>& mine = samples[Pstream::myProcNo()];
+
+    for (const polyPatch& patch : mesh_.boundaryMesh())
+    {
+        if (patch.coupled() || isA<emptyPolyPatch>(patch))
+        {
+            continue;
+        }
+
+        forAll(patch, i)
+        {
+            if (solid(patch.faceCells()[i]))
+            {
+                solidFaces.append(patch.start() + i);
+                continue;
+            }
+
+            scalar shortest = GREAT;
+            for (const edge& e : patch[i].edges())
+            {
+                shortest = min(shortest, e.mag(mesh_.points()));
+            }
+            mine.append(sample(patch.faceCentres()[i], 1e-3*shortest));
+        }
+    }
+
+    Pstream::gatherList(samples);
+    Pstream::scatterList(samples);
+
+    label nFaces = 0;
+    word patchName;
+
+    if (solidFaces.size())
+    {
+        // The tree wants a volume
+        treeBoundBox box(mesh_.points());
+        box.inflate(0.01);
+
+        const treeDataFace faces(false, mesh_, solidFaces);
+        const indexedOctree<treeDataFace> tree(faces, box, 8, 10, 3);
+
+        for (const DynamicList<sample>& ofProcess : samples)
+        {
+            for (const sample& s : ofProcess)
+            {
+                const pointIndexHit hit
+                (
+                    tree.findNearest(s.first(), sqr(s.second()))
+                );
+
+                if (hit.hit())
+                {
+                    const label facei = solidFaces[hit.index()];
+                    const polyBoundaryMesh& patches = mesh_.boundaryMesh();
+
+                    ++nFaces;
+                    patchName = patches[patches.whichPatch(facei)].name();
+                }
+            }
+        }
+    }
+
+    reduce(nFaces, sumOp<label>());
+    reduce(patchName, maxOp<word>());
+
+    if (nFaces)
+    {
+        FatalIOErrorInFunction(*this)
+            << "Entries 'cellZones': fluids and solids meet at " << nFaces
+            << " faces that they do not have in common, of the solid's patch "
+            << patchName << nl
+            << "    Valid choices: one mesh with common faces (blockMesh without"
+            << " mergePatchPairs, stitchMesh)"
+            << exit(FatalIOError);
+    }
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::materialZones::materialZones(const fvMesh& mesh)
@@ -291,6 +380,7 @@ Foam::materialZones::materialZones(const fvMesh& mesh)
     materials_ = readMaterials(*this);
     assignCells();
     checkNeighbours();
+    checkUnconnected();
 }
 
 
