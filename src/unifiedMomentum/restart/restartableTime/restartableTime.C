@@ -24,6 +24,7 @@ License
 #include "IFstream.H"
 #include "OFstream.H"
 #include "OSspecific.H"
+#include <fstream>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -36,34 +37,58 @@ namespace Foam
     }
 
 
+    //- The first and the last part of a file
+    static void readEnds
+    (
+        const fileName& file,
+        std::string& first,
+        std::string& last
+    )
+    {
+        const label size = 4096;
+        std::string part(size, ' ');
+
+        const auto read = [&](std::istream& is)
+        {
+            is.read(&part[0], size);
+            return part.substr(0, is.gcount());
+        };
+
+        if (file.hasExt("gz"))
+        {
+            // IFstream finds the compressed file by the other name. It cannot
+            // be read from its end
+            IFstream is(file.lessExt(), IOstream::BINARY);
+            first = read(is.stdStream());
+            last = first;
+
+            while (is.stdStream().good())
+            {
+                last = last.substr(last.size()/2) + read(is.stdStream());
+            }
+        }
+        else
+        {
+            std::ifstream is(file, std::ios::binary);
+            first = read(is);
+
+            is.clear();
+            is.seekg(-min(off_t(size), fileSize(file)), std::ios::end);
+            last = read(is);
+        }
+    }
+
+
     //- Does a file end as OpenFOAM's files do, collated ones with a bracket?
     //  Other files, that have no FoamFile header, may end as they like
     static bool hasEnd(const fileName& file)
     {
-        // IFstream finds the compressed file by the other name
-        const fileName name(file.hasExt("gz") ? file.lessExt() : file);
-        IFstream is(name, IOstream::BINARY);
-        std::string last;
-        std::string part(1 << 16, ' ');
-        bool first = true;
+        std::string first, last;
+        readEnds(file, first, last);
 
-        while (is.stdStream().good())
+        if (!first.empty() && first.find("FoamFile") == std::string::npos)
         {
-            is.stdStream().read(&part[0], part.size());
-            last += part.substr(0, is.stdStream().gcount());
-
-            if
-            (
-                first
-             && !last.empty()
-             && last.find("FoamFile") == std::string::npos
-            )
-            {
-                return true;
-            }
-            first = false;
-
-            last.erase(0, last.size() > 100 ? last.size() - 100 : 0);
+            return true;
         }
 
         for (const std::string end : {"************ //\n", ")", ")\n"})
