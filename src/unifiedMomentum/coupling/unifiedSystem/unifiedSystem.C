@@ -729,7 +729,8 @@ Foam::unifiedSystem::unifiedSystem(fvMesh& mesh)
     krylovConverged_(true),
     relative_(nBlocks, 0.0),
     elastic_(nBlocks, 0.0),
-    weight_(nBlocks, 1.0)
+    weight_(nBlocks, 1.0),
+    faceArea_(pow(flux_.geometry().V(), 2.0/3.0))
 {
     checkTime();
     readControls();
@@ -799,6 +800,25 @@ Foam::unifiedSystem::unifiedSystem(fvMesh& mesh)
     flux_.updateBoundary(U_, p_);
     flux_.setConvection(phi_, U_);
     sweep_.update();
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::unifiedSystem& Foam::unifiedSystem::of
+(
+    const objectRegistry& obr,
+    const word& asker
+)
+{
+    if (!obr.foundObject<unifiedSystem>(typeName))
+    {
+        FatalErrorInFunction
+            << "Function object " << asker << " runs with umfsiFoam only"
+            << exit(FatalError);
+    }
+
+    return obr.lookupObjectRef<unifiedSystem>(typeName);
 }
 
 

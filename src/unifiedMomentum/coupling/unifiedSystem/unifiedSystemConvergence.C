@@ -100,8 +100,7 @@ Foam::scalar Foam::unifiedSystem::pressureNorm(const scalarField& p) const
 
     for (const label celli : geometry.cellsAndFaces(false).cells)
     {
-        const scalar area = pow(geometry.V()[celli], 2.0/3.0);
-        sum += sqr(p[celli]*area)/cmptMax(sweep_.diag()[celli]);
+        sum += sqr(p[celli]*faceArea_[celli])/cmptMax(sweep_.diag()[celli]);
     }
 
     return sum;

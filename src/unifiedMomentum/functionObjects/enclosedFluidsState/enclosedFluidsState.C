@@ -58,16 +58,9 @@ Foam::functionObjects::enclosedFluidsState::enclosedFluidsState
 
 bool Foam::functionObjects::enclosedFluidsState::write()
 {
-    if (!foundObject<unifiedSystem>(unifiedSystem::typeName))
-    {
-        FatalErrorInFunction
-            << "Function object " << name() << " runs with umfsiFoam only"
-            << exit(FatalError);
-    }
-
     const List<enclosedFluids::region> regions
     (
-        lookupObject<unifiedSystem>(unifiedSystem::typeName).enclosedRegions()
+        unifiedSystem::of(obr_, name()).enclosedRegions()
     );
 
     if (!writtenHeader_)

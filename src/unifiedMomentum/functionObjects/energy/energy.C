@@ -61,19 +61,7 @@ Foam::functionObjects::energy::energy
 
 bool Foam::functionObjects::energy::write()
 {
-    if (!foundObject<unifiedSystem>(unifiedSystem::typeName))
-    {
-        FatalErrorInFunction
-            << "Function object " << name() << " runs with umfsiFoam only"
-            << exit(FatalError);
-    }
-
-    // Its work arrays change, nothing else
-    const unifiedSystem::energies e =
-        const_cast<unifiedSystem&>
-        (
-            lookupObject<unifiedSystem>(unifiedSystem::typeName)
-        ).energy();
+    const unifiedSystem::energies e(unifiedSystem::of(obr_, name()).energy());
 
     file()
         << time_.timeName() << tab << e.fluid << tab << e.solid << tab
