@@ -2,26 +2,15 @@
 """Stresses and interface tractions of an umfsiFoam case with one cell in z."""
 
 import re
+import sys
 from pathlib import Path
 
 import numpy as np
 
-SIZES = {b"vector": 3, b"symmTensor": 6}
+sys.path.insert(
+    0, str(Path(__file__).resolve().parents[2]/"verification/tools"))
 
-
-def internalField(path):
-    """Values of the cells, one row each, from an ascii or binary field."""
-    data = Path(path).read_bytes()
-    start = re.search(
-        rb"internalField\s+nonuniform\s+List<(\w+)>\s+(\d+)\s*\(", data)
-    size = SIZES[start.group(1)]
-    count = int(start.group(2))*size
-    if re.search(rb"format\s+binary", data[:start.start()]):
-        values = np.frombuffer(data, float, count, start.end())
-    else:
-        text = data[start.end():].translate(None, b"()").split(b";")[0]
-        values = np.array(text.split()[:count], float)
-    return values.reshape(-1, size)
+from results import cellValues                                  # noqa: E402
 
 
 def cellSet(path):
@@ -37,9 +26,9 @@ class FoamResults:
     def __init__(self, case, time):
         self.case, self.time = Path(case), time
         cells = cellSet(self.case/"constant/polyMesh/sets/solid")
-        self.centres = internalField(self.case/time/"C")[cells, :2]
+        self.centres = cellValues(self.case/time/"C")[cells, :2]
         # xx, yy, xy
-        self.sigma = internalField(self.case/time/"sigma")[cells][:, [0, 3, 1]]
+        self.sigma = cellValues(self.case/time/"sigma")[cells][:, [0, 3, 1]]
 
     def _load(self, pattern):
         folder = self.case/"postProcessing/interfaceLoad"

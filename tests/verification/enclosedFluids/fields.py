@@ -4,8 +4,14 @@
 import glob
 import os
 import re
+import sys
 
 import numpy as np
+
+sys.path.insert(0, os.path.join(
+    os.path.dirname(os.path.abspath(__file__)), os.pardir, "tools"))
+
+from results import cellValues                                  # noqa: E402
 
 
 def lastTime(case):
@@ -17,18 +23,8 @@ def lastTime(case):
 
 def cells(case, name):
     """Cell values of a field at the last time: (cells) or (cells, n)."""
-    path = os.path.join(case, lastTime(case), name)
-    with open(path, encoding="ascii") as file:
-        text = file.read()
-    found = re.search(
-        r"internalField\s+nonuniform\s+List<\w+>\s+(\d+)\s*\((.*?)\n\)\s*;",
-        text, re.DOTALL)
-    if not found:
-        raise ValueError("no list of cell values in " + path)
-    n = int(found[1])
-    values = np.array(
-        found[2].replace("(", " ").replace(")", " ").split(), float)
-    return values.reshape(n, -1) if len(values) > n else values
+    values = cellValues(os.path.join(case, lastTime(case), name))
+    return values[:, 0] if values.shape[1] == 1 else values
 
 
 def levels(case):

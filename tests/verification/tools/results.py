@@ -5,6 +5,27 @@ import csv
 import os
 import re
 
+import numpy as np
+
+COMPONENTS = {b"scalar": 1, b"vector": 3, b"symmTensor": 6}
+
+
+def cellValues(path):
+    """Values of a field's cells, one row each, from an ascii or binary file."""
+    with open(path, "rb") as file:
+        data = file.read()
+    start = re.search(
+        rb"internalField\s+nonuniform\s+List<(\w+)>\s+(\d+)\s*\(", data)
+    if not start:
+        raise ValueError("no list of cell values in {}".format(path))
+    n, size = int(start[2]), COMPONENTS[start[1]]
+    if re.search(rb"format\s+binary", data[:start.start()]):
+        values = np.frombuffer(data, float, n*size, start.end())
+    else:
+        text = data[start.end():].translate(None, b"()").split(b";")[0]
+        values = np.array(text.split(), float)
+    return values.reshape(n, size)
+
 
 def sweeps(case):
     """Sweeps of each time step, from the log."""
