@@ -261,9 +261,8 @@ def main(arguments):
         writer.writerow(COLUMNS)
         writer.writerows(allRows)
     if allRows and levels is LEVELS["full"]:
-        # Debian's python3 has matplotlib, the first on PATH may not
         plot = Path(__file__).resolve().parent/"plotFrequencies.py"
-        subprocess.run(["/usr/bin/python3", str(plot)], check=False)
+        subprocess.run([sys.executable, str(plot)], check=False)
     return counted.close()
 
 
