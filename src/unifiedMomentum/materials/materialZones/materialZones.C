@@ -301,7 +301,7 @@ void Foam::materialZones::checkUnconnected() const
             {
                 shortest = min(shortest, e.mag(mesh_.points()));
             }
-            mine.append(sample(patch.faceCentres()[i], 1e-3*shortest));
+            mine.append(sample(patch.faceCentres()[i], 1e-2*shortest));
         }
     }
 
