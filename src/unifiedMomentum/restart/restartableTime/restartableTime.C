@@ -360,6 +360,22 @@ void Foam::restartableTime::readOldDeltaT()
 }
 
 
+Foam::fileName Foam::restartableTime::mark() const
+{
+    return markOf(rootPath()/globalCaseName());
+}
+
+
+void Foam::restartableTime::removeMark() const
+{
+    if (marked_ && returnReduce(true, andOp<bool>()) && Pstream::master())
+    {
+        rm(mark());
+    }
+    marked_ = false;
+}
+
+
 void Foam::restartableTime::purge() const
 {
     if (keep_ <= 0)
@@ -390,7 +406,8 @@ void Foam::restartableTime::purge() const
 Foam::restartableTime::restartableTime(const argList& args)
 :
     Time(preparedCase(args), args),
-    keep_(0)
+    keep_(0),
+    marked_(false)
 {
     takePurge();
     readOldDeltaT();
@@ -403,6 +420,27 @@ void Foam::restartableTime::readDict()
 {
     Time::readDict();
     takePurge();
+}
+
+
+bool Foam::restartableTime::run() const
+{
+    const bool running = Time::run();
+    removeMark();
+    return running;
+}
+
+
+bool Foam::restartableTime::writeTimeDict() const
+{
+    marked_ = true;
+    if (Pstream::master())
+    {
+        OFstream os(mark());
+        os << timeName() << endl;
+    }
+
+    return Time::writeTimeDict();
 }
 
 
@@ -419,21 +457,16 @@ bool Foam::restartableTime::writeObject
         return false;
     }
 
-    const fileName globalCase(rootPath()/globalCaseName());
-    const fileName mark(markOf(globalCase));
-
-    if (Pstream::master())
-    {
-        OFstream os(mark);
-        os << timeName() << endl;
-    }
-
     bool ok = Time::writeObject(fmt, ver, cmp, valid);
     fileHandler().flush();
     reduce(ok, andOp<bool>());
 
+    const fileNameList folders
+    (
+        foldersOf(path(), rootPath()/globalCaseName(), timeName())
+    );
     fileName broken;
-    ok = complete(foldersOf(path(), globalCase, timeName()), broken) && ok;
+    ok = complete(folders, broken) && ok;
     reduce(ok, andOp<bool>());
     reduce(broken, maxOp<fileName>());
 
@@ -447,11 +480,7 @@ bool Foam::restartableTime::writeObject
             << exit(FatalError);
     }
 
-    if (Pstream::master())
-    {
-        rm(mark);
-    }
-
+    removeMark();
     purge();
 
     return true;
