@@ -80,13 +80,19 @@ namespace Foam
 
 
     //- Does a file end as OpenFOAM's files do, collated ones with a bracket?
-    //  Other files, that have no FoamFile header, may end as they like
+    //  Other files, without banner and header, may end as they like
     static bool hasEnd(const fileName& file)
     {
         std::string first, last;
         readEnds(file, first, last);
 
-        if (!first.empty() && first.find("FoamFile") == std::string::npos)
+        // One that is cut may have the banner only
+        if
+        (
+            !first.empty()
+         && first[0] != '/'
+         && first.find("FoamFile") == std::string::npos
+        )
         {
             return true;
         }
@@ -427,7 +433,23 @@ bool Foam::restartableTime::run() const
 {
     const bool running = Time::run();
     removeMark();
-    return running;
+    return returnReduce(running, andOp<bool>());
+}
+
+
+Foam::Time& Foam::restartableTime::operator++()
+{
+    Time::operator++();
+
+    // A signal to one process counts there at once. Time asks all processes
+    // for signals, but one that comes while it asks is left to that process
+    if (returnReduce(endTime_ <= value(), orOp<bool>()))
+    {
+        endTime_ = min(endTime_, value());
+    }
+    reduce(writeTime_, orOp<bool>());
+
+    return *this;
 }
 
 
