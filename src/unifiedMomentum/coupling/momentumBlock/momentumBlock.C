@@ -155,7 +155,7 @@ void Foam::momentumBlock::update
                           + stress.sideExtraNormal(facei, owner)
                            *sqr(n[facei][k])
                         )
-                       *(1 - flux_.internalCoeff()[facei][k]);
+                       *(1 - flux_.patchCoeff(facei)(k, k));
                 }
                 default:
                 {
@@ -190,9 +190,13 @@ void Foam::momentumBlock::update
             // velocity: all of it with zeroGradient, in or out
             for (const label facei : zone.ownSides)
             {
-                cellCoeffs[own[facei]] +=
-                    flux_.rhoPhi()[facei]*flux_.internalCoeff()[facei][k];
+                if (geometry.kind(facei) == fluxGeometry::FIXED)
+                {
+                    cellCoeffs[own[facei]] +=
+                        flux_.rhoPhi()[facei]*flux_.patchCoeff(facei)(k, k);
+                }
             }
+            flux_.addDynamicHeads(k, cellCoeffs);
         }
 
         matrices_[k].set

@@ -96,7 +96,6 @@ void Foam::sweep::setPressure()
     const labelUList& own = mesh.faceOwner();
     const labelUList& nei = mesh.faceNeighbour();
     const fluxGeometry::zone& fluid = geometry.cellsAndFaces(false);
-    const pressureFlux& pressure = op_.flux().pressure();
     const scalarField& w = geometry.w();
     for (const label celli : fluid.cells)
     {
@@ -131,15 +130,7 @@ void Foam::sweep::setPressure()
         faceD_[facei] =
             coefficient(facei, DN[facei - mesh.nInternalFaces()]);
     }
-    for (const label facei : fluid.ownSides)
-    {
-        if (pressure.fixesP(facei))
-        {
-            cellCoeffs[own[facei]] +=
-                D_[own[facei]]*mag(mesh.faceAreas()[facei])
-               /geometry.hOwn()[facei];
-        }
-    }
+    op_.flux().addPatchFlux(D_, cellCoeffs);
 
     forAll(compliance_.walls(), walli)
     {

@@ -23,6 +23,7 @@ License
 #include "faceValue.H"
 #include "linear.H"
 #include "onDisk.H"
+#include "patchConditions.H"
 #include "readGravity.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -141,6 +142,36 @@ void Foam::unifiedSystem::startFaces(const bool haveUf, const bool haveDf)
 }
 
 
+void Foam::unifiedSystem::startPatchFlux()
+{
+    surfaceScalarField::Boundary& phib = phi_.boundaryFieldRef();
+
+    const auto set = [&](const bool ofCells)
+    {
+        forAll(phib, patchi)
+        {
+            const fvPatchVectorField& U = U_.boundaryField()[patchi];
+
+            if (!U.coupled())
+            {
+                phib[patchi] =
+                    U.patch().Sf()
+                  & (
+                        ofCells && !patchConditions::fixes(U)
+                      ? vectorField(U.patchInternalField())
+                      : static_cast<const vectorField&>(U)
+                    );
+            }
+        }
+    };
+
+    // Conditions may ask for the direction of the flow
+    set(true);
+    U_.correctBoundaryConditions();
+    set(false);
+}
+
+
 void Foam::unifiedSystem::extrapolateDisplacement()
 {
     const fluxGeometry& geometry = flux_.geometry();
@@ -249,14 +280,14 @@ void Foam::unifiedSystem::fieldsToUnknowns
 }
 
 
-void Foam::unifiedSystem::unknownsToFields()
+void Foam::unifiedSystem::unknownsToFields(const unifiedVector& z)
 {
-    U_.primitiveFieldRef() = z_.U;
-    p_.primitiveFieldRef() = z_.p;
+    U_.primitiveFieldRef() = z.U;
+    p_.primitiveFieldRef() = z.p;
 
-    forAll(z_.Uf, i)
+    forAll(z.Uf, i)
     {
-        faceValue(Uf_, flux_.geometry().unknownFaces()[i]) = z_.Uf[i];
+        faceValue(Uf_, flux_.geometry().unknownFaces()[i]) = z.Uf[i];
     }
 }
 
@@ -269,9 +300,17 @@ Foam::unifiedSystem::unifiedSystem(fvMesh& mesh)
     regIOobject(IOobject(typeName, mesh.time().timeName(), mesh)),
 
     mesh_(checkedMesh(mesh)),
-    p_(fieldIO("p", mesh), mesh),
-    U_(fieldIO("U", mesh), mesh),
     materials_(mesh),
+    p_
+    (
+        patchConditions::checkTypes<scalar>(fieldIO("p", mesh), materials_),
+        mesh
+    ),
+    U_
+    (
+        patchConditions::checkTypes<vector>(fieldIO("U", mesh), materials_),
+        mesh
+    ),
     D_
     (
         optionalIO<volVectorField>("D", mesh),
@@ -363,6 +402,16 @@ Foam::unifiedSystem::unifiedSystem(fvMesh& mesh)
             p_[celli] = 0;
         }
     }
+    // Conditions of patches ask for their density
+    forAll(rho_.boundaryField(), patchi)
+    {
+        fvPatchScalarField& rhop = rho_.boundaryFieldRef()[patchi];
+
+        if (!rhop.coupled())
+        {
+            rhop == scalarField(rhop.patchInternalField());
+        }
+    }
     rho_.correctBoundaryConditions();
 
     const bool haveUf = onDisk<surfaceVectorField>(fieldIO("Uf", mesh));
@@ -389,6 +438,7 @@ Foam::unifiedSystem::unifiedSystem(fvMesh& mesh)
         // Without the pressure's part: p need not belong to U at the start
         const surfaceVectorField Ulinear(linearInterpolate(U_));
         phi_ = mesh.Sf() & Ulinear;
+        startPatchFlux();
     }
 
     // From here on each step stores the two levels before it by itself, and

@@ -21,9 +21,9 @@ License
 
 #include "unifiedSystem.H"
 #include "basicSymmetryFvPatchField.H"
-#include "calculatedFvPatchFields.H"
 #include "emptyFvPatch.H"
 #include "localIOdictionary.H"
+#include "patchConditions.H"
 #include "solidTractionFvPatchVectorField.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -360,9 +360,20 @@ void Foam::unifiedSystem::checkPatches() const
         const fvPatchVectorField& U = U_.boundaryField()[patchi];
         const fvPatchScalarField& p = p_.boundaryField()[patchi];
 
+        const string refusalU(patchConditions::refusal(U));
+        const string refusalP(patchConditions::refusal(p));
+
         // The same patches on all processes: not those without faces here
         if (U.coupled() || isA<emptyFvPatch>(U.patch()))
         {
+            if (refusalU.size())
+            {
+                refusePatch(U_, patchi, refusalU, U.patch().type());
+            }
+            if (refusalP.size())
+            {
+                refusePatch(p_, patchi, refusalP, U.patch().type());
+            }
             continue;
         }
 
@@ -380,7 +391,8 @@ void Foam::unifiedSystem::checkPatches() const
         if
         (
             touchesSolid
-        && !(traction || slips || isA<fixedValueFvPatchVectorField>(U))
+        && !traction && !slips
+         && patchConditions::of(U) != patchConditions::GIVEN
         )
         {
             refusePatch
@@ -407,25 +419,25 @@ void Foam::unifiedSystem::checkPatches() const
             );
         }
 
-        if (touchesFluid && isA<calculatedFvPatchField<vector>>(U))
+        if (touchesFluid && refusalU.size())
         {
             refusePatch
             (
                 U_,
                 patchi,
-                "the patch touches a fluid, and this type gives no condition",
+                "the patch touches a fluid, and " + refusalU,
                 "the conditions of pimpleFoam for a fluid, for instance"
                 " noSlip, fixedValue, zeroGradient, inletOutlet"
             );
         }
 
-        if (touchesFluid && isA<calculatedFvPatchField<scalar>>(p))
+        if (touchesFluid && refusalP.size())
         {
             refusePatch
             (
                 p_,
                 patchi,
-                "the patch touches a fluid, and this type gives no condition",
+                "the patch touches a fluid, and " + refusalP,
                 "the conditions of pimpleFoam, p in Pa, for instance"
                 " fixedValue, totalPressure, zeroGradient, fixedFluxPressure"
             );

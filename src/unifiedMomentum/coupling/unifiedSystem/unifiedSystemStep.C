@@ -25,7 +25,7 @@ License
 #include <iomanip>
 #include <sstream>
 #include "fixedFluxPressureFvPatchScalarField.H"
-#include "solidTractionFvPatchVectorField.H"
+#include "patchConditions.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -253,7 +253,10 @@ void Foam::unifiedSystem::predict()
         start.scale(-ratio);
         start.add(1 + ratio, zOld_);
 
+        // Conditions and schemes that depend on the velocity take that of
+        // the new time, too
         phi_ == (1 + ratio)*phi0 - ratio*phi00;
+        unknownsToFields(start);
         startBoundary();
         freeze();
 
@@ -287,9 +290,9 @@ bool Foam::unifiedSystem::picard()
         }
 
         // The residual with the flux and the conditions of the new velocity
-        unknownsToFields();
-        correctBoundary();
+        unknownsToFields(z_);
         computeFlux(z_);
+        correctBoundary();
         freeze();
         op_.residual(z_, known_, r_);
         blockValues scale;
@@ -379,9 +382,9 @@ void Foam::unifiedSystem::updateDisplacement()
     const fluxGeometry& geometry = flux_.geometry();
     const scalar betaDt = flux_.betaDt();
 
-    unknownsToFields();
-    correctBoundary();
+    unknownsToFields(z_);
     computeFlux(z_);
+    correctBoundary();
 
     vectorField uf(mesh_.nFaces(), Zero);
     flux_.patchVelocities(z_, uf);
@@ -524,15 +527,13 @@ void Foam::unifiedSystem::correctBoundary()
     // Patches whose velocity is an unknown
     volVectorField::Boundary& Ub = U_.boundaryFieldRef();
 
-    forAll(flux_.geometry().unknownFaces(), i)
+    for (const label facei : flux_.geometry().unknownFaces())
     {
-        const label facei = flux_.geometry().unknownFaces()[i];
-
         if (flux_.geometry().kind(facei) != fluxGeometry::INTERFACE)
         {
             const label patchi = mesh_.boundaryMesh().whichPatch(facei);
             Ub[patchi][facei - mesh_.boundaryMesh()[patchi].start()] =
-                z_.Uf[i];
+                faceValue(Uf_, facei);
         }
     }
 
@@ -552,11 +553,7 @@ void Foam::unifiedSystem::startBoundary()
     {
         const fvPatchVectorField& U = U_.boundaryField()[patchi];
 
-        if
-        (
-            isA<fixedValueFvPatchVectorField>(U)
-        && !isA<solidTractionFvPatchVectorField>(U)
-        )
+        if (patchConditions::fixes(U))
         {
             forAll(phib[patchi], i)
             {
@@ -590,7 +587,7 @@ void Foam::unifiedSystem::setPressureGradients()
 
     // These patches take their gradient through OpenFOAM's constrainPressure,
     // as (phiHbyA - U.S)/(|S| rAU): give it the extrapolated gradient
-    const pressureFlux& pressure = flux_.extrapolatePressure(z_.p);
+    const pressureFlux& pressure = flux_.extrapolatePressure(p_);
 
     surfaceScalarField phiHbyA
     (
@@ -623,7 +620,7 @@ void Foam::unifiedSystem::setPressureGradients()
                 const scalar snGrad =
                     (
                         pressure.faceValues()[facei]
-                      - z_.p[patch.faceCells()[i]]
+                      - p_[patch.faceCells()[i]]
                     )*patch.deltaCoeffs()[i];
 
                 phiHbyA.boundaryFieldRef()[patchi][i] =

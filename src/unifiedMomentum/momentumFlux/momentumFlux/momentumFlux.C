@@ -20,6 +20,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "momentumFlux.H"
+#include "patchConditions.H"
 #include "gaussConvectionScheme.H"
 #include "solidTractionFvPatchVectorField.H"
 
@@ -142,15 +143,13 @@ void Foam::momentumFlux::setFaceVelocities
         }
         else
         {
-            u = cmptMultiply
-            (
-                internalCoeff_[facei],
-                z.U[mesh.faceOwner()[facei]]
-            );
+            const label i = facei - mesh.nInternalFaces();
+
+            u = coeff_[i] & z.U[mesh.faceOwner()[facei]];
 
             if (!homogeneous)
             {
-                u += reference_[facei];
+                u += reference_[i];
             }
         }
 
@@ -230,19 +229,19 @@ Foam::momentumFlux::momentumFlux
     solidStress_(geometry_, true),
     pressure_(geometry_, p),
     betaDt_(0),
-    internalCoeff_(U.mesh().nFaces(), Zero),
-    reference_(internalCoeff_),
-    prescribedForce_(internalCoeff_),
+    coeff_(U.mesh().nFaces() - U.mesh().nInternalFaces(), Zero),
+    reference_(coeff_.size(), Zero),
+    prescribedForce_(reference_),
     rhoPhi_(U.mesh().nFaces(), 0),
     convectionWeight_(rhoPhi_),
-    convectionCorrection_(internalCoeff_),
+    convectionCorrection_(U.mesh().nFaces(), Zero),
     stokesDiag_(U.mesh().nCells(), 0),
     ownShareT_(geometry_.unknownFaces().size(), 0),
     ownShareN_(ownShareT_),
-    uFluid_(internalCoeff_),
-    vSolid_(internalCoeff_),
-    ownForce_(internalCoeff_),
-    neiForce_(internalCoeff_)
+    uFluid_(convectionCorrection_),
+    vSolid_(convectionCorrection_),
+    ownForce_(convectionCorrection_),
+    neiForce_(convectionCorrection_)
 {}
 
 
@@ -269,7 +268,8 @@ void Foam::momentumFlux::updateBoundary
     forAll(U.boundaryField(), patchi)
     {
         const fvPatchVectorField& Up = U.boundaryField()[patchi];
-        const label start = Up.patch().start();
+        const label start =
+            Up.patch().start() - geometry_.mesh().nInternalFaces();
 
         if (Up.coupled() || Up.empty())
         {
@@ -288,21 +288,21 @@ void Foam::momentumFlux::updateBoundary
                     Up.patch().magSf()[i]*traction[i];
             }
         }
-        else if (geometry_.kind(start) == fluxGeometry::FIXED)
+        else
         {
-            const tmp<scalarField> weights(Up.patch().weights());
-            const vectorField internalCoeff(Up.valueInternalCoeffs(weights));
-            const vectorField reference(Up.valueBoundaryCoeffs(weights));
+            tensorField coeff;
+            vectorField reference;
+            patchConditions::coefficients(Up, coeff, reference);
 
             forAll(Up, i)
             {
-                internalCoeff_[start + i] = internalCoeff[i];
+                coeff_[start + i] = coeff[i];
                 reference_[start + i] = reference[i];
             }
         }
     }
 
-    pressure_.updateBoundary(p);
+    pressure_.updateBoundary(p, U);
 }
 
 
@@ -404,7 +404,7 @@ void Foam::momentumFlux::evaluateFluid
     fluidStress_.interpolate(z.U, uFluid_);
     fluidStress_.addInsideForces(z.U, cellForce);
 
-    pressure_.interpolate(z.p, homogeneous);
+    pressure_.interpolate(z.p, uFluid_, homogeneous);
     pressure_.addInsideForces(cellForce);
 
     addConvection(z.U, homogeneous, cellForce);
@@ -510,7 +510,9 @@ void Foam::momentumFlux::forces
         {
             const vector given
             (
-                homogeneous ? vector(Zero) : prescribedForce_[facei]
+                homogeneous
+              ? vector(Zero)
+              : prescribedForce_[facei - mesh.nInternalFaces()]
             );
 
             cellForce[own[facei]] += given;
@@ -565,7 +567,7 @@ void Foam::momentumFlux::divergence
     {
         setFaceVelocities(z, false, homogeneous, nullptr, uFluid_);
         fluidStress_.interpolate(z.U, uFluid_);
-        pressure_.interpolate(z.p, homogeneous);
+        pressure_.interpolate(z.p, uFluid_, homogeneous);
     }
 
     div = 0;
@@ -619,7 +621,7 @@ const Foam::pressureFlux& Foam::momentumFlux::extrapolatePressure
     const scalarField& p
 )
 {
-    pressure_.interpolate(p, false);
+    pressure_.interpolate(p, uFluid_, false);
 
     return pressure_;
 }
@@ -627,7 +629,7 @@ const Foam::pressureFlux& Foam::momentumFlux::extrapolatePressure
 
 void Foam::momentumFlux::gradP(const scalarField& dp, vectorField& grad)
 {
-    pressure_.interpolate(dp, true);
+    pressure_.interpolate(dp, vectorField(), true);
     grad = pressure_.grad();
 }
 

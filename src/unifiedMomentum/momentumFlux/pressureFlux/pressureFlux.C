@@ -20,20 +20,10 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "pressureFlux.H"
-#include "basicSymmetryFvPatchField.H"
+#include "patchConditions.H"
 #include "calculatedFvPatchFields.H"
-#include "fixedFluxPressureFvPatchScalarField.H"
-#include "fixedFluxExtrapolatedPressureFvPatchScalarField.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-bool Foam::pressureFlux::extrapolates(const fvPatchScalarField& p)
-{
-    return
-        isA<fixedFluxPressureFvPatchScalarField>(p)
-     || isA<fixedFluxExtrapolatedPressureFvPatchScalarField>(p);
-}
-
 
 void Foam::pressureFlux::setStencils(const boolList& extrapolate)
 {
@@ -255,7 +245,8 @@ Foam::pressureFlux::pressureFlux
         {
             const label facei = pp.patch().start() + i;
             fixesP_[facei] = pp.fixesValue();
-            extrapolate[facei] = extrapolates(pp);
+            extrapolate[facei] =
+                patchConditions::of(pp) == patchConditions::EXTRAPOLATED;
         }
     }
 
@@ -265,8 +256,15 @@ Foam::pressureFlux::pressureFlux
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::pressureFlux::updateBoundary(const volScalarField& p)
+void Foam::pressureFlux::updateBoundary
+(
+    const volScalarField& p,
+    const volVectorField& U
+)
 {
+    const materialZones& materials = geometry_.materials();
+    DynamicList<dynamicHead> heads;
+
     forAll(p.boundaryField(), patchi)
     {
         const fvPatchScalarField& pp = p.boundaryField()[patchi];
@@ -282,19 +280,38 @@ void Foam::pressureFlux::updateBoundary(const volScalarField& p)
             continue;
         }
 
-        const tmp<scalarField> weights(pp.patch().weights());
-        const scalarField internalCoeff(pp.valueInternalCoeffs(weights));
-        const scalarField reference(pp.valueBoundaryCoeffs(weights));
-        const bool zeroGradient =
-            isA<basicSymmetryFvPatchField<scalar>>(pp);
+        scalarField rho(pp.size());
+        forAll(pp, i)
+        {
+            rho[i] = materials[pp.patch().faceCells()[i]].rho();
+        }
+
+        scalarField internalCoeff, reference;
+        vectorField head;
+        patchConditions::coefficients
+        (
+            pp,
+            U.boundaryField()[patchi],
+            rho,
+            internalCoeff,
+            head,
+            reference
+        );
 
         forAll(pp, i)
         {
             const label facei = pp.patch().start() + i;
-            internalCoeff_[facei] = zeroGradient ? 1 : internalCoeff[i];
-            reference_[facei] = zeroGradient ? 0 : reference[i];
+            internalCoeff_[facei] = internalCoeff[i];
+            reference_[facei] = reference[i];
+
+            if (head[i] != vector::zero)
+            {
+                heads.append(dynamicHead{facei, head[i], 0});
+            }
         }
     }
+
+    dynamicHeads_.transfer(heads);
 }
 
 
@@ -337,9 +354,70 @@ void Foam::pressureFlux::setRhieChow(const scalarField& D)
 }
 
 
+void Foam::pressureFlux::addPatchFlux
+(
+    const scalarField& D,
+    scalarField& cellCoeffs
+)
+{
+    const fvMesh& mesh = geometry_.mesh();
+
+    const auto flux = [&](const label facei)
+    {
+        return
+            (1 - internalCoeff_[facei])*D[mesh.faceOwner()[facei]]
+           *mag(mesh.faceAreas()[facei])/geometry_.hOwn()[facei];
+    };
+
+    for (const label facei : zone_.ownSides)
+    {
+        if (fixesP_[facei])
+        {
+            cellCoeffs[mesh.faceOwner()[facei]] += flux(facei);
+        }
+    }
+
+    // p_b = c u and u = (D/h)(p_P - p_b), both along the normal: the faster
+    // the inflow, the less does the patch hold p
+    for (dynamicHead& head : dynamicHeads_)
+    {
+        const label celli = mesh.faceOwner()[head.facei];
+        const scalar ratio =
+            max(head.c & geometry_.n()[head.facei], scalar(0))
+           *D[celli]/geometry_.hOwn()[head.facei];
+
+        head.follows = ratio/(1 + ratio);
+        cellCoeffs[celli] -= flux(head.facei)*head.follows;
+    }
+}
+
+
+void Foam::pressureFlux::addDynamicHeads
+(
+    const direction k,
+    const tensorField& patchCoeff,
+    scalarField& cellCoeffs
+) const
+{
+    const fvMesh& mesh = geometry_.mesh();
+
+    for (const dynamicHead& head : dynamicHeads_)
+    {
+        const vector ofCell
+        (
+            head.c & patchCoeff[head.facei - mesh.nInternalFaces()]
+        );
+
+        cellCoeffs[mesh.faceOwner()[head.facei]] +=
+            mesh.faceAreas()[head.facei][k]*ofCell[k];
+    }
+}
+
+
 void Foam::pressureFlux::interpolate
 (
     const scalarField& p,
+    const vectorField& uf,
     const bool homogeneous
 )
 {
@@ -354,6 +432,14 @@ void Foam::pressureFlux::interpolate
         {
             pf_[facei] += reference_[facei];
         }
+    }
+
+    for (const dynamicHead& head : dynamicHeads_)
+    {
+        pf_[head.facei] +=
+            uf.size()
+          ? head.c & uf[head.facei]
+          : head.follows*p[own[head.facei]];
     }
 
     if (geometry_.anyCoupled())
@@ -443,7 +529,7 @@ Foam::scalar Foam::pressureFlux::flux
     if (geometry_.kind(facei) != fluxGeometry::INSIDE)
     {
         return
-          - rhieChow_[facei]
+          - rhieChow_[facei]*(1 - internalCoeff_[facei])
            *(pf_[facei] - p[celli] - (dOwn & grad_[celli]));
     }
 

@@ -106,9 +106,9 @@ static void testLinear
     }
 
     pressureFlux flux(g, p());
-    flux.updateBoundary(p());
+    flux.updateBoundary(p(), U());
     flux.setRhieChow(scalarField(mesh.nCells(), 2));
-    flux.interpolate(values, false);
+    flux.interpolate(values, vectorField(), false);
 
     // The extrapolation adds 1e-10 to its least-squares matrix
     scalar sideError = 0;
@@ -220,9 +220,9 @@ static void testRhieChow(const Time& runTime)
     D[middle] = 4;
 
     pressureFlux flux(g, p());
-    flux.updateBoundary(p());
+    flux.updateBoundary(p(), U());
     flux.setRhieChow(D);
-    flux.interpolate(values, true);
+    flux.interpolate(values, vectorField(), true);
 
     forAll(mesh->faceNeighbour(), facei)
     {
