@@ -47,7 +47,8 @@ namespace Foam
     (
         const word& name,
         const fvMesh& mesh,
-        const IOobject::readOption read = IOobject::MUST_READ
+        const IOobject::readOption read = IOobject::MUST_READ,
+        const IOobject::writeOption write = IOobject::AUTO_WRITE
     )
     {
         return IOobject
@@ -56,7 +57,7 @@ namespace Foam
             mesh.time().timeName(),
             mesh,
             read,
-            IOobject::AUTO_WRITE
+            write
         );
     }
 
@@ -316,7 +317,7 @@ Foam::unifiedSystem::unifiedSystem(fvMesh& mesh)
     ),
     rho_
     (
-        fieldIO("rho", mesh, IOobject::NO_READ),
+        fieldIO("rho", mesh, IOobject::NO_READ, IOobject::NO_WRITE),
         mesh,
         dimensionedScalar("rho", dimDensity, 0)
     ),
@@ -352,7 +353,6 @@ Foam::unifiedSystem::unifiedSystem(fvMesh& mesh)
 
     traction_.setOriented();
 
-    rho_.writeOpt() = IOobject::NO_WRITE;
     forAll(rho_, celli)
     {
         rho_[celli] = materials_[celli].rho();
