@@ -52,32 +52,31 @@ void Foam::enclosedFluids::setRegions()
 
     // max: the compiler warns of negative sizes
     const label nParts = max(split.nRegions(), 0);
-    boolList isFluid(nParts, false);
-    boolList open(nParts, false);
-    boolList elastic(nParts, false);
+    labelField isFluid(nParts, 0);
+    labelField open(nParts, 0);
+    labelField elastic(nParts, 0);
 
     for (const label celli : fluid.cells)
     {
-        isFluid[split[celli]] = true;
+        isFluid[split[celli]] = 1;
     }
     for (const label facei : fluid.ownSides)
     {
         if (op_.flux().pressure().fixesP(facei))
         {
-            open[split[mesh.faceOwner()[facei]]] = true;
+            open[split[mesh.faceOwner()[facei]]] = 1;
         }
     }
     for (const interfaceCompliance::wallFace& wall : walls_.walls())
     {
         if (wall.fluidCell >= 0)
         {
-            elastic[split[wall.fluidCell]] = true;
+            elastic[split[wall.fluidCell]] = 1;
         }
     }
-    for (boolList* flags : {&isFluid, &open, &elastic})
+    for (labelField* flags : {&isFluid, &open, &elastic})
     {
-        Pstream::listCombineGather(*flags, orEqOp<bool>());
-        Pstream::listCombineScatter(*flags);
+        reduce(*flags, maxOp<labelField>());
     }
 
     labelList number(nParts, -1);
@@ -86,7 +85,7 @@ void Foam::enclosedFluids::setRegions()
     {
         forAll(number, i)
         {
-            if (isFluid[i] && !open[i] && elastic[i] == byElastic)
+            if (isFluid[i] && !open[i] && bool(elastic[i]) == byElastic)
             {
                 number[i] = nRegions++;
             }
@@ -105,7 +104,7 @@ void Foam::enclosedFluids::setRegions()
     // What messages say of each
     nCells_.setSize(nRegions, 0);
     volume_.setSize(nRegions, 0);
-    List<point> points(nRegions, point::max);
+    points_.setSize(nRegions, point::max);
 
     for (const label celli : fluid.cells)
     {
@@ -114,23 +113,26 @@ void Foam::enclosedFluids::setRegions()
         {
             ++nCells_[i];
             volume_[i] += geometry.V()[celli];
-            if (points[i] == point::max)
+            if (points_[i] == point::max)
             {
-                points[i] = mesh.cellCentres()[celli];
+                points_[i] = mesh.cellCentres()[celli];
             }
         }
     }
-    Pstream::listCombineGather(nCells_, plusEqOp<label>());
-    Pstream::listCombineGather(volume_, plusEqOp<scalar>());
-    Pstream::listCombineGather
+    reduce(nCells_, sumOp<labelField>());
+    reduce(volume_, sumOp<scalarField>());
+    reduce
     (
-        points,
-        [](point& a, const point& b) { a = (a == point::max ? b : a); }
+        points_,
+        [](pointField a, const pointField& b)
+        {
+            forAll(a, i)
+            {
+                a[i] = (a[i] == point::max ? b[i] : a[i]);
+            }
+            return a;
+        }
     );
-    Pstream::listCombineScatter(nCells_);
-    Pstream::listCombineScatter(volume_);
-    Pstream::listCombineScatter(points);
-    points_.transfer(points);
 }
 
 
@@ -298,8 +300,7 @@ Foam::scalarField Foam::enclosedFluids::sums
         }
     }
 
-    Pstream::listCombineGather(sum, plusEqOp<scalar>());
-    Pstream::listCombineScatter(sum);
+    reduce(sum, sumOp<scalarField>());
 
     return sum;
 }

@@ -70,22 +70,22 @@ Foam::unifiedVector& Foam::flexibleGMRES::vectorOf
 }
 
 
-Foam::scalarList Foam::flexibleGMRES::dots
+Foam::scalarField Foam::flexibleGMRES::dots
 (
     const linearSystem& system,
     const label n,
     const unifiedVector& w
 ) const
 {
-    scalarList products(n);
+    scalarField products(n);
 
     forAll(products, i)
     {
         products[i] = system.localDot(v_[i], w);
     }
 
-    Pstream::listCombineGather(products, plusEqOp<scalar>());
-    Pstream::listCombineScatter(products);
+    // One reduction for all
+    reduce(products, sumOp<scalarField>());
 
     return products;
 }
@@ -137,7 +137,7 @@ Foam::label Foam::flexibleGMRES::cycle
         // Gram-Schmidt twice: once loses orthogonality
         for (label pass = 0; pass < 2; ++pass)
         {
-            const scalarList h(dots(system, j + 1, w));
+            const scalarField h(dots(system, j + 1, w));
             forAll(h, i)
             {
                 w.add(-h[i], v_[i]);

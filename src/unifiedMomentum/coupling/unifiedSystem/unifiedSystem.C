@@ -48,7 +48,8 @@ namespace Foam
     (
         const word& name,
         const fvMesh& mesh,
-        const IOobject::readOption read = IOobject::MUST_READ
+        const IOobject::readOption read = IOobject::MUST_READ,
+        const IOobject::writeOption write = IOobject::AUTO_WRITE
     )
     {
         return IOobject
@@ -57,7 +58,7 @@ namespace Foam
             mesh.time().timeName(),
             mesh,
             read,
-            IOobject::AUTO_WRITE
+            write
         );
     }
 
@@ -355,7 +356,7 @@ Foam::unifiedSystem::unifiedSystem(fvMesh& mesh)
     ),
     rho_
     (
-        fieldIO("rho", mesh, IOobject::NO_READ),
+        fieldIO("rho", mesh, IOobject::NO_READ, IOobject::NO_WRITE),
         mesh,
         dimensionedScalar("rho", dimDensity, 0)
     ),
@@ -391,7 +392,6 @@ Foam::unifiedSystem::unifiedSystem(fvMesh& mesh)
 
     traction_.setOriented();
 
-    rho_.writeOpt() = IOobject::NO_WRITE;
     forAll(rho_, celli)
     {
         rho_[celli] = materials_[celli].rho();

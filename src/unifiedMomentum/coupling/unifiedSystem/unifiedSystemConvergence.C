@@ -127,14 +127,13 @@ void Foam::unifiedSystem::relativeResiduals
     };
 
     // One reduction for all sums
-    scalarList all(4*nBlocks + 1);
+    scalarField all(4*nBlocks + 1);
     for (label i = 0; i < 4*nBlocks; ++i)
     {
         all[i] = parts[i/nBlocks][i % nBlocks];
     }
     all.last() = pressureNorm(z.p);
-    Pstream::listCombineGather(all, plusEqOp<scalar>());
-    Pstream::listCombineScatter(all);
+    reduce(all, sumOp<scalarField>());
 
     relative.setSize(nBlocks);
     scale.setSize(nBlocks);

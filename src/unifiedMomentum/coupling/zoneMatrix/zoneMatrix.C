@@ -41,7 +41,7 @@ Foam::zoneMatrix::zoneMatrix(const zoneMesh& zone, const word& name)
         zone.mesh(),
         dimensionedScalar(name, dimless, 0)
     ),
-    matrix_(zone.mesh()),
+    matrix_(),
     interfaceBouCoeffs_(zone.mesh().boundary().size()),
     interfaceIntCoeffs_(zone.mesh().boundary().size()),
     solver_(),
@@ -69,15 +69,16 @@ void Foam::zoneMatrix::set
 )
 {
     solver_.clear();
+    matrix_.reset(new lduMatrix(zone_.mesh()));
 
     const lduAddressing& addressing = zone_.mesh().lduAddr();
     const labelUList& own = addressing.lowerAddr();
     const labelUList& nei = addressing.upperAddr();
     const bool convects = flux.size();
 
-    scalarField& diag = matrix_.diag();
-    scalarField& upper = matrix_.upper();
-    scalarField* lower = convects ? &matrix_.lower() : nullptr;
+    scalarField& diag = matrix_->diag();
+    scalarField& upper = matrix_->upper();
+    scalarField* lower = convects ? &matrix_->lower() : nullptr;
 
     forAll(diag, i)
     {
@@ -116,7 +117,7 @@ void Foam::zoneMatrix::set
     solver_ = lduMatrix::solver::New
     (
         psi_.name(),
-        matrix_,
+        *matrix_,
         interfaceBouCoeffs_,
         interfaceIntCoeffs_,
         psi_.boundaryField().scalarInterfaces(),

@@ -278,8 +278,7 @@ void Foam::materialZones::checkUnconnected() const
 
     // Centres of the fluids' faces, and the distance that is none
     typedef Tuple2<point, scalar> sample;
-    List<DynamicList<sample>> samples(Pstream::nProcs());
-    DynamicList<sample>& mine = samples[Pstream::myProcNo()];
+    DynamicList<sample> mine;
 
     for (const polyPatch& patch : mesh_.boundaryMesh())
     {
@@ -305,8 +304,16 @@ void Foam::materialZones::checkUnconnected() const
         }
     }
 
-    Pstream::gatherList(samples);
-    Pstream::scatterList(samples);
+    List<sample> samples(std::move(mine));
+    reduce
+    (
+        samples,
+        [](List<sample> a, const List<sample>& b)
+        {
+            a.append(b);
+            return a;
+        }
+    );
 
     label nFaces = 0;
     word patchName;
@@ -320,23 +327,20 @@ void Foam::materialZones::checkUnconnected() const
         const treeDataFace faces(false, mesh_, solidFaces);
         const indexedOctree<treeDataFace> tree(faces, box, 8, 10, 3);
 
-        for (const DynamicList<sample>& ofProcess : samples)
+        for (const sample& s : samples)
         {
-            for (const sample& s : ofProcess)
+            const pointIndexHit hit
+            (
+                tree.findNearest(s.first(), sqr(s.second()))
+            );
+
+            if (hit.hit())
             {
-                const pointIndexHit hit
-                (
-                    tree.findNearest(s.first(), sqr(s.second()))
-                );
+                const label facei = solidFaces[hit.index()];
+                const polyBoundaryMesh& patches = mesh_.boundaryMesh();
 
-                if (hit.hit())
-                {
-                    const label facei = solidFaces[hit.index()];
-                    const polyBoundaryMesh& patches = mesh_.boundaryMesh();
-
-                    ++nFaces;
-                    patchName = patches[patches.whichPatch(facei)].name();
-                }
+                ++nFaces;
+                patchName = patches[patches.whichPatch(facei)].name();
             }
         }
     }

@@ -252,7 +252,7 @@ void Foam::restartableTime::setAsideUnfinished(const argList& args)
         IFstream is(mark);
         is.getLine(marked);
     }
-    Pstream::scatter(marked);
+    reduce(marked, maxOp<string>());
 
     scalar value;
     if (readScalar(marked.c_str(), value))
@@ -466,20 +466,14 @@ bool Foam::restartableTime::writeTimeDict() const
 }
 
 
-bool Foam::restartableTime::writeObject
-(
-    IOstream::streamFormat fmt,
-    IOstream::versionNumber ver,
-    IOstream::compressionType cmp,
-    const bool valid
-) const
+bool Foam::restartableTime::write(const bool valid) const
 {
     if (!writeTime())
     {
         return false;
     }
 
-    bool ok = Time::writeObject(fmt, ver, cmp, valid);
+    bool ok = Time::write(valid);
     fileHandler().flush();
     reduce(ok, andOp<bool>());
 

@@ -134,13 +134,13 @@ public:
         return y;
     }
 
-    virtual void apply(const unifiedVector& v, unifiedVector& y)
+    virtual void apply(const unifiedVector& v, unifiedVector& y) override
     {
         ++nApplied;
         y = vectorOf(product(list(v)));
     }
 
-    virtual void precondition(const unifiedVector& r, unifiedVector& z)
+    virtual void precondition(const unifiedVector& r, unifiedVector& z) override
     {
         ++nPreconditioned;
         scalarField x(list(r));
@@ -166,7 +166,7 @@ public:
     (
         const unifiedVector& a,
         const unifiedVector& b
-    ) const
+    ) const override
     {
         const scalarField x(list(a));
         const scalarField y(list(b));
@@ -178,7 +178,11 @@ public:
         return sum;
     }
 
-    virtual bool converged(const unifiedVector& z, const unifiedVector& r)
+    virtual bool converged
+    (
+        const unifiedVector& z,
+        const unifiedVector& r
+    ) override
     {
         ++nAsked;
         return Foam::sqrt(localDot(r, r)) <= tolerance_;

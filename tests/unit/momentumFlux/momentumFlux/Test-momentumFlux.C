@@ -690,8 +690,8 @@ static void weightedSums
 (
     const fvMesh& mesh,
     const bool convection,
-    scalarList& sums,
-    scalarList& scales
+    scalarField& sums,
+    scalarField& scales
 )
 {
     evaluation e
@@ -829,18 +829,16 @@ static void weightedSums
         }
     }
 
-    Pstream::listCombineGather(sums, plusEqOp<scalar>());
-    Pstream::listCombineScatter(sums);
-    Pstream::listCombineGather(scales, plusEqOp<scalar>());
-    Pstream::listCombineScatter(scales);
+    reduce(sums, sumOp<scalarField>());
+    reduce(scales, sumOp<scalarField>());
 }
 
 
 static void compare
 (
-    const scalarList& sums,
-    const scalarList& expected,
-    const scalarList& scales,
+    const scalarField& sums,
+    const scalarField& expected,
+    const scalarField& scales,
     const string& name
 )
 {
@@ -918,13 +916,13 @@ static autoPtr<fvMesh> periodicMesh(const Time& runTime, const scalar start)
 static void testCyclic(const Time& runTime, const string& stiffness)
 {
     writeMaterials(runTime, materials(stiffness, true));
-    scalarList expected;
-    scalarList scales;
+    scalarField expected;
+    scalarField scales;
     weightedSums(periodicMesh(runTime, 0)(), false, expected, scales);
 
     for (const scalar start : {0.25, 0.375, 0.5})
     {
-        scalarList sums;
+        scalarField sums;
         weightedSums(periodicMesh(runTime, start)(), false, sums, scales);
         compare
         (
@@ -995,13 +993,13 @@ static int runCase(int argc, char* argv[])
     );
     const fileName file(args.rootPath()/args.globalCaseName()/"sums");
 
-    scalarList sums;
-    scalarList scales;
+    scalarField sums;
+    scalarField scales;
     weightedSums(mesh, true, sums, scales);
 
     if (Pstream::parRun())
     {
-        const scalarList expected((IFstream(file)()));
+        const scalarField expected((IFstream(file)()));
         compare
         (
             sums,

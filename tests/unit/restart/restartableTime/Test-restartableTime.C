@@ -26,6 +26,9 @@ Description
     That is what a signal leaves behind if it comes to one process while Time
     asks all for signals. Needs two processes or more.
 
+    Whatever writes a time goes through restartableTime::write. Here, where the
+    case has no fields, it always finds the time incomplete.
+
 \*---------------------------------------------------------------------------*/
 
 #include "argList.H"
@@ -86,6 +89,28 @@ int main(int argc, char *argv[])
             time.stopAt(Time::saWriteNow);
         }
         check(!time.run(), "all stop at the end");
+    }
+
+    const string incomplete("could not be written completely");
+    {
+        restartableTime time(args);
+        ++time;
+        check(!time.write(), "no time to be written");
+        checkThrows([&]{ time.writeNow(); }, incomplete, "writeNow");
+
+        time.writeOnce();
+        ++time;
+        checkThrows([&]{ time.write(); }, incomplete, "writeOnce");
+
+        ++time;
+        checkThrows([&]{ time.writeAndEnd(); }, incomplete, "writeAndEnd");
+    }
+    {
+        restartableTime time(args);
+        const regIOobject& base = time;
+        time.stopAt(Time::saWriteNow);
+        ++time;
+        checkThrows([&]{ base.write(); }, incomplete, "write of the base");
     }
 
     return close();
