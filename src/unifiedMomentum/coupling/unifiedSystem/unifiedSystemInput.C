@@ -55,7 +55,9 @@ namespace Foam
         const FieldType& field,
         const label patchi,
         const string& why,
-        const string& choices
+        const string& choices,
+        const label nFluid,
+        const label nSolid
     )
     {
         const dictionary file(fileOf(field));
@@ -68,6 +70,14 @@ namespace Foam
             << "Entry 'type' of patch " << patch << " in field "
             << field.name() << " is " << field.boundaryField()[patchi].type()
             << ": " << why.c_str() << nl
+            << "    Its faces: " << nFluid << " of fluid cells, " << nSolid
+            << " of solid cells" << nl
+            << (
+                   nFluid && nSolid
+                 ? "    Split the patch by material: topoSet and createPatch,"
+                   " section 4 of the user guide\n"
+                 : ""
+               )
             << "    Valid choices: " << choices.c_str()
             << exit(FatalIOError);
     }
@@ -220,6 +230,22 @@ void Foam::unifiedSystem::checkTime() const
 }
 
 
+Foam::word Foam::unifiedSystem::ddtScheme() const
+{
+    const word scheme(mesh_.ddtScheme("ddt(" + U_.name() + ')'));
+
+    if (scheme != "Euler" && scheme != "backward")
+    {
+        FatalIOErrorInFunction(mesh_.schemesDict().subDict("ddtSchemes"))
+            << "Scheme of ddt(" << U_.name() << ") is " << scheme << nl
+            << "    Valid choices: Euler backward"
+            << exit(FatalIOError);
+    }
+
+    return scheme;
+}
+
+
 void Foam::unifiedSystem::checkOptions() const
 {
     const wordRes refused
@@ -265,7 +291,8 @@ void Foam::unifiedSystem::readControls()
         {
             "momentumPredictor", "nOuterCorrectors", "nCorrectors",
             "nNonOrthogonalCorrectors", "residualControl", "krylov",
-            "onNonConvergence", "pRefCell", "pRefPoint", "pRefValue"
+            "onNonConvergence", "maxUnconverged",
+            "pRefCell", "pRefPoint", "pRefValue"
         }
     );
 
@@ -311,6 +338,7 @@ void Foam::unifiedSystem::readControls()
             << exit(FatalIOError);
     }
     stopIfNotConverged_ = (action == "stop");
+    maxUnconverged_ = checkRange(pimple, "maxUnconverged", 20, 1);
 
     const dictionary& control = pimple.subOrEmptyDict("residualControl");
 
@@ -366,13 +394,16 @@ void Foam::unifiedSystem::checkPatches() const
             continue;
         }
 
-        bool touches[2] = { false, false };
+        label nSolid = 0;
         for (const label celli : U.patch().faceCells())
         {
-            touches[materials_.solid(celli)] = true;
+            nSolid += materials_.solid(celli);
         }
-        const bool touchesFluid = returnReduce(touches[false], orOp<bool>());
-        const bool touchesSolid = returnReduce(touches[true], orOp<bool>());
+        const label nFluid = returnReduce(U.size() - nSolid, sumOp<label>());
+        reduce(nSolid, sumOp<label>());
+
+        const bool touchesFluid = nFluid > 0;
+        const bool touchesSolid = nSolid > 0;
 
         const bool traction = isA<solidTractionFvPatchVectorField>(U);
         const bool slips = isA<basicSymmetryFvPatchField<vector>>(U);
@@ -391,7 +422,9 @@ void Foam::unifiedSystem::checkPatches() const
                 " surface without saying so",
                 "fixedValue and its kin (clamped or driven), slip,"
                 " symmetryPlane or symmetry (roller), solidTraction (given"
-                " traction; zero is a free surface)"
+                " traction; zero is a free surface)",
+                nFluid,
+                nSolid
             );
         }
 
@@ -403,7 +436,9 @@ void Foam::unifiedSystem::checkPatches() const
                 patchi,
                 "the patch touches a fluid",
                 "the conditions of pimpleFoam for a fluid, for instance"
-                " noSlip, fixedValue, zeroGradient, inletOutlet"
+                " noSlip, fixedValue, zeroGradient, inletOutlet",
+                nFluid,
+                nSolid
             );
         }
 
@@ -415,7 +450,9 @@ void Foam::unifiedSystem::checkPatches() const
                 patchi,
                 "the patch touches a fluid, and this type gives no condition",
                 "the conditions of pimpleFoam for a fluid, for instance"
-                " noSlip, fixedValue, zeroGradient, inletOutlet"
+                " noSlip, fixedValue, zeroGradient, inletOutlet",
+                nFluid,
+                nSolid
             );
         }
 
@@ -427,7 +464,9 @@ void Foam::unifiedSystem::checkPatches() const
                 patchi,
                 "the patch touches a fluid, and this type gives no condition",
                 "the conditions of pimpleFoam, p in Pa, for instance"
-                " fixedValue, totalPressure, zeroGradient, fixedFluxPressure"
+                " fixedValue, totalPressure, zeroGradient, fixedFluxPressure",
+                nFluid,
+                nSolid
             );
         }
     }
