@@ -280,6 +280,18 @@ Foam::vector Foam::momentumBlock::diag(const label celli) const
 }
 
 
+void Foam::momentumBlock::tryOut()
+{
+    forAll(matrices_, k)
+    {
+        if (matrices_.set(k))
+        {
+            matrices_[k].tryOut();
+        }
+    }
+}
+
+
 Foam::label Foam::momentumBlock::solve
 (
     const direction cmpt,

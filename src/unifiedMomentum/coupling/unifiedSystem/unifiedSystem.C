@@ -456,6 +456,7 @@ Foam::unifiedSystem::unifiedSystem(fvMesh& mesh)
     flux_.updateBoundary(U_, p_);
     flux_.setConvection(phi_, U_);
     sweep_.update();
+    sweep_.tryOut();
 }
 
 

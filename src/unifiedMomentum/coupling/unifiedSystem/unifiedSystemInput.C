@@ -219,7 +219,9 @@ void Foam::unifiedSystem::checkTime() const
         }
     }
 
-    if (time.endTime().value() < time.startTime().value())
+    const scalar duration = time.endTime().value() - time.startTime().value();
+
+    if (duration < 0)
     {
         FatalIOErrorInFunction(control)
             << "Entry 'endTime' is " << time.endTime().value()
@@ -308,6 +310,7 @@ void Foam::unifiedSystem::readControls()
     }
 
     nOuterCorrectors_ = checkRange(pimple, "nOuterCorrectors", 1, 1);
+    pimple.getOrDefault("momentumPredictor", true);
     checkRange(pimple, "nCorrectors", 3, 1);
     checkRange(pimple, "nNonOrthogonalCorrectors", 0, 0);
 
