@@ -229,6 +229,50 @@ void Foam::unifiedSystem::checkTime() const
             << "    Valid choices: " << time.startTime().value() << " and above"
             << exit(FatalIOError);
     }
+
+    if (time.stopAt() != Time::saEndTime)
+    {
+        return;
+    }
+    else if (duration < 0.5*time.deltaTValue())
+    {
+        IOWarningInFunction(control)
+            << "The run starts at its end, " << time.endTime().value()
+            << ": no time step is made" << endl;
+    }
+
+    // How long until results are on disk? With other kinds of writeControl,
+    // and with steps of any length, only the run can tell
+    const word kind
+    (
+        control.getOrDefault<word>("writeControl", "timeStep")
+    );
+    scalar interval = control.getOrDefault<scalar>("writeInterval", 0);
+
+    if (kind == "timeStep")
+    {
+        const bool known =
+            time.timeIndex() == 0
+        && !control.getOrDefault("adjustTimeStep", false);
+
+        interval *= known ? time.deltaTValue() : 0;
+    }
+    else if
+    (
+        kind != "runTime"
+     && kind != "adjustable"
+     && kind != "adjustableRunTime"
+    )
+    {
+        interval = 0;
+    }
+
+    if (interval > duration + 0.5*time.deltaTValue())
+    {
+        IOWarningInFunction(control)
+            << "Entry 'writeInterval' is longer than the run: no time will be"
+            << " written" << endl;
+    }
 }
 
 

@@ -77,19 +77,19 @@ Foam::scalarField Foam::validityCheck::variation(const volVectorField& U) const
 bool Foam::validityCheck::checkSupports(const volVectorField& U) const
 {
     const fvMesh& mesh = geometry_.mesh();
+    const label nPatches = mesh.boundaryMesh().nNonProcessor();
     const scalarField around(variation(U));
-
-    // The values of conditions that depend on time may be those of any other
     const volVectorField::Boundary& Ub = U.boundaryField();
 
     OStringStream found;
 
-    for (label patchi = 0; patchi < mesh.boundaryMesh().nNonProcessor(); ++patchi)
+    for (label patchi = 0; patchi < nPatches; ++patchi)
     {
         const fvPatch& patch = mesh.boundary()[patchi];
         const labelUList& cells = patch.faceCells();
         const fluxGeometry::faceKind kind =
-            patch.size() ? geometry_.kind(patch.start()) : fluxGeometry::IGNORED;
+            patch.size()
+          ? geometry_.kind(patch.start()) : fluxGeometry::IGNORED;
         const bool fixed = kind == fluxGeometry::FIXED;
         const bool rolls =
             kind == fluxGeometry::SLIP || kind == fluxGeometry::SYMMETRY;
@@ -103,6 +103,7 @@ bool Foam::validityCheck::checkSupports(const volVectorField& U) const
         vectorField Up(patch.size(), Zero);
         if (returnReduce(fixed && solid, orOp<bool>()))
         {
+            // The value read may be that of another time
             const tmp<fvPatchVectorField> tnow(Ub[patchi].clone());
             tnow.constCast().evaluate();
             Up = tnow();
