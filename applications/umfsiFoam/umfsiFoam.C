@@ -129,6 +129,8 @@ int main(int argc, char *argv[])
         runTime.write();
     }
 
+    system.conclude();
+
     Info<< nl << "End" << nl << endl;
 
     return 0;

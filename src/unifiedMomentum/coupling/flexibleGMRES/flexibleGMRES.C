@@ -91,16 +91,15 @@ Foam::scalarField Foam::flexibleGMRES::dots
 }
 
 
-Foam::label Foam::flexibleGMRES::cycle
+void Foam::flexibleGMRES::cycle
 (
     linearSystem& system,
-    const label maxSweeps,
     unifiedVector& z,
     unifiedVector& r,
-    bool& converged
+    performance& perf
 )
 {
-    const label m = min(nVectors_, maxSweeps);
+    const label m = min(nVectors_, maxSweeps_ - perf.nSweeps);
 
     unifiedVector& v0 = vectorOf(v_, 0, r);
     v0 = r;
@@ -109,11 +108,16 @@ Foam::label Foam::flexibleGMRES::cycle
         returnReduce(system.localDot(r, r), sumOp<scalar>())
     );
 
-    if (!(beta > VSMALL))
+    if (beta <= VSMALL)
     {
-        // Nothing left to reduce, or not a number: not for us to judge
-        converged = beta <= VSMALL;
-        return 0;
+        // Nothing left to reduce
+        perf.converged = true;
+        return;
+    }
+    if (!std::isfinite(beta))
+    {
+        perf.broken = true;
+        return;
     }
 
     v0.scale(1/beta);
@@ -124,7 +128,7 @@ Foam::label Foam::flexibleGMRES::cycle
     scalarList cosine(m), sine(m), g(m + 1, 0.0), y(m, 0.0);
     g[0] = beta;
 
-    unifiedVector zNew, rNew;
+    unifiedVector zNew(z), rNew(r);
 
     for (label j = 0; j < m; ++j)
     {
@@ -133,6 +137,7 @@ Foam::label Foam::flexibleGMRES::cycle
 
         system.precondition(v_[j], zj);
         system.apply(zj, w);
+        ++perf.nSweeps;
 
         // Gram-Schmidt twice: once loses orthogonality
         for (label pass = 0; pass < 2; ++pass)
@@ -149,6 +154,15 @@ Foam::label Foam::flexibleGMRES::cycle
         (
             returnReduce(system.localDot(w, w), sumOp<scalar>())
         );
+
+        if (!std::isfinite(H(j + 1, j)))
+        {
+            // The last sweep is good for nothing
+            perf.broken = true;
+            z = zNew;
+            r = rNew;
+            return;
+        }
 
         const bool exhausted = !(H(j + 1, j) > 1e-14*beta);
         if (!exhausted)
@@ -168,6 +182,13 @@ Foam::label Foam::flexibleGMRES::cycle
             R(i + 1, j) = -sine[i]*a + cosine[i]*R(i + 1, j);
         }
         const scalar radius = sqrt(sqr(R(j, j)) + sqr(R(j + 1, j)));
+        if (radius <= VSMALL)
+        {
+            // The sweep has returned nothing new: no way on from here
+            z = zNew;
+            r = rNew;
+            return;
+        }
         cosine[j] = R(j, j)/radius;
         sine[j] = R(j + 1, j)/radius;
         R(j, j) = radius;
@@ -201,17 +222,15 @@ Foam::label Foam::flexibleGMRES::cycle
             rNew.add(-Hy, v_[i]);
         }
 
-        converged = system.converged(zNew, rNew);
+        perf.converged = system.converged(zNew, rNew);
 
-        if (converged || exhausted || j == m - 1)
+        if (perf.converged || exhausted || j == m - 1)
         {
             z = zNew;
             r = rNew;
-            return j + 1;
+            return;
         }
     }
-
-    return m;
 }
 
 
@@ -266,19 +285,11 @@ Foam::flexibleGMRES::performance Foam::flexibleGMRES::solve
     unifiedVector& r
 )
 {
-    performance perf{1, plainSweep(system, z, r)};
+    performance perf{1, plainSweep(system, z, r), false};
 
-    while (!perf.converged && perf.nSweeps < maxSweeps_)
+    while (!perf.converged && !perf.broken && perf.nSweeps < maxSweeps_)
     {
-        const label n =
-            cycle(system, maxSweeps_ - perf.nSweeps, z, r, perf.converged);
-
-        perf.nSweeps += n;
-
-        if (n == 0)
-        {
-            break;
-        }
+        cycle(system, z, r, perf);
     }
 
     return perf;

@@ -21,6 +21,31 @@ License
 
 #include "momentumBlock.H"
 
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::tmp<Foam::scalarField> Foam::momentumBlock::outflow() const
+{
+    const fvMesh& mesh = flux_.geometry().mesh();
+    const fluxGeometry::zone& zone = flux_.geometry().cellsAndFaces(solid_);
+    const scalarField& rhoPhi = flux_.rhoPhi();
+
+    tmp<scalarField> tout(new scalarField(mesh.nCells(), 0));
+    scalarField& out = tout.ref();
+
+    for (const label facei : zone.internal)
+    {
+        out[mesh.faceOwner()[facei]] += max(rhoPhi[facei], 0);
+        out[mesh.faceNeighbour()[facei]] -= min(rhoPhi[facei], 0);
+    }
+    for (const label facei : zone.coupled)
+    {
+        out[mesh.faceOwner()[facei]] += max(rhoPhi[facei], 0);
+    }
+
+    return tout;
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::momentumBlock::momentumBlock
@@ -33,7 +58,9 @@ Foam::momentumBlock::momentumBlock
     flux_(flux),
     solid_(solid),
     zone_(zone),
-    matrices_(vector::nComponents)
+    matrices_(vector::nComponents),
+    leastCell_(-1),
+    leastDiag_(1)
 {
     if (zone_.valid())
     {
@@ -80,6 +107,15 @@ void Foam::momentumBlock::update
     const labelUList& nei = mesh.faceNeighbour();
     const vectorField& n = geometry.n();
     const fluxGeometry::zone& zone = geometry.cellsAndFaces(solid_);
+
+    scalarField out;
+    if (!solid_)
+    {
+        out = outflow();
+    }
+
+    leastCell_ = -1;
+    leastDiag_ = 1;
 
     for (direction k = 0; k < vector::nComponents; ++k)
     {
@@ -184,19 +220,29 @@ void Foam::momentumBlock::update
             }
         }
 
+        // Through patches flows what the condition makes of the cell's
+        // velocity: all of it with zeroGradient, in or out
+        scalarField leftOut(solid_ ? 0 : mesh.nCells(), 0);
+
         if (!solid_)
         {
-            // Through patches flows what the condition makes of the cell's
-            // velocity: all of it with zeroGradient, in or out
+            scalarField through(mesh.nCells(), 0);
+
             for (const label facei : zone.ownSides)
             {
                 if (geometry.kind(facei) == fluxGeometry::FIXED)
                 {
-                    cellCoeffs[own[facei]] +=
+                    through[own[facei]] +=
                         flux_.rhoPhi()[facei]*flux_.patchCoeff(facei)(k, k);
                 }
             }
-            flux_.addDynamicHeads(k, cellCoeffs);
+            flux_.addDynamicHeads(k, through);
+
+            for (const label celli : zone.cells)
+            {
+                leftOut[celli] = min(through[celli] + out[celli], 0);
+                cellCoeffs[celli] += through[celli] - leftOut[celli];
+            }
         }
 
         matrices_[k].set
@@ -206,6 +252,19 @@ void Foam::momentumBlock::update
             solid_ ? scalarField() : flux_.rhoPhi(),
             solverControls
         );
+
+        for (const label celli : zone.cells)
+        {
+            const scalar a = matrices_[k].diag(celli);
+            const scalar least =
+                a > VSMALL ? 1 + (solid_ ? 0 : leftOut[celli])/a : -GREAT;
+
+            if (least < leastDiag_)
+            {
+                leastCell_ = celli;
+                leastDiag_ = least;
+            }
+        }
     }
 }
 
@@ -223,6 +282,18 @@ Foam::vector Foam::momentumBlock::diag(const label celli) const
     }
 
     return a;
+}
+
+
+void Foam::momentumBlock::tryOut()
+{
+    forAll(matrices_, k)
+    {
+        if (matrices_.set(k))
+        {
+            matrices_[k].tryOut();
+        }
+    }
 }
 
 

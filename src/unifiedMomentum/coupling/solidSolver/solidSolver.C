@@ -314,7 +314,14 @@ Foam::label Foam::solidSolver::solve
         while ((rs > target || bends()) && rs > VSMALL && nIterations < maxIter)
         {
             op_.applySolid(d_, fluidSide_, y_);
-            const scalar alpha = rs/dot(d_, y_);
+            const scalar dy = dot(d_, y_);
+            if (!(dy > 0))
+            {
+                // Not an elastic solid with inertia: a source of fvOptions
+                // that makes velocities grow. Left to the method outside
+                break;
+            }
+            const scalar alpha = rs/dy;
             x_.add(alpha, d_);
             r_.add(-alpha, y_);
 

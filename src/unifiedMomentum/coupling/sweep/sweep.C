@@ -446,6 +446,20 @@ void Foam::sweep::update()
 }
 
 
+void Foam::sweep::tryOut()
+{
+    if (solidZone_.valid())
+    {
+        solidMomentum_.tryOut();
+    }
+    if (fluidZone_.valid())
+    {
+        fluidMomentum_.tryOut();
+        pressure_->tryOut();
+    }
+}
+
+
 void Foam::sweep::apply(const unifiedVector& r, unifiedVector& dz)
 {
     dz.setZero();

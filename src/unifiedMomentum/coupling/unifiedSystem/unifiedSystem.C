@@ -73,6 +73,19 @@ namespace Foam
     }
 
 
+    //- Change a field at its time and at those before
+    template<class FieldType, class Change>
+    static void forAllLevels(FieldType& field, const Change& change)
+    {
+        change(field);
+
+        if (field.nOldTimes())
+        {
+            forAllLevels(field.oldTime(), change);
+        }
+    }
+
+
     //- Fail on a mesh with cells inside out or of no finite size
     static fvMesh& checkedMesh(fvMesh& mesh)
     {
@@ -100,6 +113,38 @@ namespace Foam
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::unifiedSystem::clearOthers()
+{
+    const labelList solids(materials_.cells(true));
+    const labelList fluids(materials_.cells(false));
+
+    const auto clearD = [&](volVectorField& D)
+    {
+        UIndirectList<vector>(D.primitiveFieldRef(), fluids) = vector::zero;
+
+        volVectorField::Boundary& Db = D.boundaryFieldRef();
+        forAll(Db, patchi)
+        {
+            forAll(Db[patchi], i)
+            {
+                if (!materials_.solid(Db[patchi].patch().faceCells()[i]))
+                {
+                    Db[patchi][i] = Zero;
+                }
+            }
+        }
+    };
+    const auto clearScalar = [&](volScalarField& field)
+    {
+        UIndirectList<scalar>(field.primitiveFieldRef(), solids) = 0;
+    };
+
+    forAllLevels(D_, clearD);
+    forAllLevels(p_, clearScalar);
+    forAllLevels(continuityError_, clearScalar);
+}
+
 
 void Foam::unifiedSystem::startFaces(const bool haveUf, const bool haveDf)
 {
@@ -376,15 +421,20 @@ Foam::unifiedSystem::unifiedSystem(fvMesh& mesh)
     tolerance_(nBlocks, 0.0),
     nOuterCorrectors_(1),
     stopIfNotConverged_(false),
+    maxUnconverged_(20),
+    nUnconverged_(0),
     picard_(0),
     nSweeps_(0),
     krylovConverged_(true),
     relative_(nBlocks, 0.0),
     elastic_(nBlocks, 0.0),
     weight_(nBlocks, 1.0),
-    faceArea_(pow(flux_.geometry().V(), 2.0/3.0))
+    faceArea_(pow(flux_.geometry().V(), 2.0/3.0)),
+    validity_(flux_.geometry()),
+    clock_()
 {
     checkTime();
+    ddtScheme();
     readControls();
     checkOptions();
     checkFields();
@@ -395,12 +445,6 @@ Foam::unifiedSystem::unifiedSystem(fvMesh& mesh)
     forAll(rho_, celli)
     {
         rho_[celli] = materials_[celli].rho();
-
-        // No pressure in a solid
-        if (materials_.solid(celli))
-        {
-            p_[celli] = 0;
-        }
     }
     // Conditions of patches ask for their density
     forAll(rho_.boundaryField(), patchi)
@@ -413,6 +457,7 @@ Foam::unifiedSystem::unifiedSystem(fvMesh& mesh)
         }
     }
     rho_.correctBoundaryConditions();
+    clearOthers();
 
     const bool haveUf = onDisk<surfaceVectorField>(fieldIO("Uf", mesh));
     const bool haveDf = onDisk<surfaceVectorField>(fieldIO("Df", mesh));
@@ -424,6 +469,11 @@ Foam::unifiedSystem::unifiedSystem(fvMesh& mesh)
      && Uf_.nOldTimes() > 0 && Df_.nOldTimes() > 0 && phi_.nOldTimes() > 0;
 
     startFaces(haveUf, haveDf);
+
+    if (!haveOldOld_)
+    {
+        validity_.checkStart(U_);
+    }
 
     known_.U.setSize(mesh.nCells(), Zero);
     known_.D.cells = known_.U;
@@ -456,6 +506,7 @@ Foam::unifiedSystem::unifiedSystem(fvMesh& mesh)
     flux_.updateBoundary(U_, p_);
     flux_.setConvection(phi_, U_);
     sweep_.update();
+    sweep_.tryOut();
 }
 
 

@@ -43,12 +43,13 @@ Foam::unifiedSystem::blockValues Foam::unifiedSystem::norms
     const fluxGeometry& geometry = flux_.geometry();
     const Vector<label>& solved = mesh_.solutionD();
 
+    // Without a diagonal (slip of an inviscid fluid) nothing may be left over
     const auto weighted = [residual](const scalar value, const scalar diag)
     {
         return
-            diag < VSMALL ? 0
-          : residual ? sqr(value)/diag
-          : sqr(value)*diag;
+            diag > VSMALL ? (residual ? sqr(value)/diag : sqr(value)*diag)
+          : residual && value != 0 ? GREAT
+          : 0;
     };
 
     blockValues sum(nBlocks, 0.0);
@@ -219,24 +220,6 @@ bool Foam::unifiedSystem::passes(const blockValues& relative) const
 }
 
 
-void Foam::unifiedSystem::checkFinite() const
-{
-    forAll(relative_, i)
-    {
-        if (!std::isfinite(relative_[i]))
-        {
-            FatalErrorInFunction
-                << "Residual " << blockNames[i] << " is " << relative_[i]
-                << " at time " << mesh_.time().timeName() << nl
-                << "    Nothing of this time is written; the last time on"
-                << " disk is good. Try a smaller time step, and check the"
-                << " mesh with checkMesh"
-                << exit(FatalError);
-        }
-    }
-}
-
-
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::unifiedSystem::apply(const unifiedVector& v, unifiedVector& y)
@@ -278,7 +261,11 @@ Foam::scalar Foam::unifiedSystem::localDot
     scalar part = 0;
     for (const label celli : geometry.cellsAndFaces(false).cells)
     {
-        part += a.p[celli]*b.p[celli]/sweep_.pressureDiag(celli);
+        const scalar diag = sweep_.pressureDiag(celli);
+        if (diag > VSMALL)
+        {
+            part += a.p[celli]*b.p[celli]/diag;
+        }
     }
     sum += weight_[CONTINUITY]*part;
 

@@ -55,21 +55,22 @@ namespace Foam
         const FieldType& field,
         const label patchi,
         const string& why,
-        const string& choices
+        const string& choices,
+        const label nFluid,
+        const label nSolid
     )
     {
-        const dictionary file(fileOf(field));
-        const word& patch = field.mesh().boundary()[patchi].name();
-
-        FatalIOErrorInFunction
+        patchConditions::refuse
         (
-            file.subDict("boundaryField").optionalSubDict(patch)
-        )
-            << "Entry 'type' of patch " << patch << " in field "
-            << field.name() << " is " << field.boundaryField()[patchi].type()
-            << ": " << why.c_str() << nl
-            << "    Valid choices: " << choices.c_str()
-            << exit(FatalIOError);
+            fileOf(field),
+            field.name(),
+            field.mesh().boundary()[patchi].name(),
+            field.boundaryField()[patchi].type(),
+            why,
+            choices,
+            nFluid,
+            nSolid
+        );
     }
 
 
@@ -209,7 +210,9 @@ void Foam::unifiedSystem::checkTime() const
         }
     }
 
-    if (time.endTime().value() < time.startTime().value())
+    const scalar duration = time.endTime().value() - time.startTime().value();
+
+    if (duration < 0)
     {
         FatalIOErrorInFunction(control)
             << "Entry 'endTime' is " << time.endTime().value()
@@ -217,6 +220,66 @@ void Foam::unifiedSystem::checkTime() const
             << "    Valid choices: " << time.startTime().value() << " and above"
             << exit(FatalIOError);
     }
+
+    if (time.stopAt() != Time::saEndTime)
+    {
+        return;
+    }
+    else if (duration < 0.5*time.deltaTValue())
+    {
+        IOWarningInFunction(control)
+            << "The run starts at its end, " << time.endTime().value()
+            << ": no time step is made" << endl;
+    }
+
+    // How long until results are on disk? With other kinds of writeControl,
+    // and with steps of any length, only the run can tell
+    const word kind
+    (
+        control.getOrDefault<word>("writeControl", "timeStep")
+    );
+    scalar interval = control.getOrDefault<scalar>("writeInterval", 0);
+
+    if (kind == "timeStep")
+    {
+        const bool known =
+            time.timeIndex() == 0
+        && !control.getOrDefault("adjustTimeStep", false);
+
+        interval *= known ? time.deltaTValue() : 0;
+    }
+    else if
+    (
+        kind != "runTime"
+     && kind != "adjustable"
+     && kind != "adjustableRunTime"
+    )
+    {
+        interval = 0;
+    }
+
+    if (interval > duration + 0.5*time.deltaTValue())
+    {
+        IOWarningInFunction(control)
+            << "Entry 'writeInterval' is longer than the run: no time will be"
+            << " written" << endl;
+    }
+}
+
+
+Foam::word Foam::unifiedSystem::ddtScheme() const
+{
+    const word scheme(mesh_.ddtScheme("ddt(" + U_.name() + ')'));
+
+    if (scheme != "Euler" && scheme != "backward")
+    {
+        FatalIOErrorInFunction(mesh_.schemesDict().subDict("ddtSchemes"))
+            << "Scheme of ddt(" << U_.name() << ") is " << scheme << nl
+            << "    Valid choices: Euler backward"
+            << exit(FatalIOError);
+    }
+
+    return scheme;
 }
 
 
@@ -265,7 +328,8 @@ void Foam::unifiedSystem::readControls()
         {
             "momentumPredictor", "nOuterCorrectors", "nCorrectors",
             "nNonOrthogonalCorrectors", "residualControl", "krylov",
-            "onNonConvergence", "pRefCell", "pRefPoint", "pRefValue"
+            "onNonConvergence", "maxUnconverged",
+            "pRefCell", "pRefPoint", "pRefValue"
         }
     );
 
@@ -281,6 +345,7 @@ void Foam::unifiedSystem::readControls()
     }
 
     nOuterCorrectors_ = checkRange(pimple, "nOuterCorrectors", 1, 1);
+    pimple.getOrDefault("momentumPredictor", true);
     checkRange(pimple, "nCorrectors", 3, 1);
     checkRange(pimple, "nNonOrthogonalCorrectors", 0, 0);
 
@@ -311,6 +376,7 @@ void Foam::unifiedSystem::readControls()
             << exit(FatalIOError);
     }
     stopIfNotConverged_ = (action == "stop");
+    maxUnconverged_ = checkRange(pimple, "maxUnconverged", 20, 1);
 
     const dictionary& control = pimple.subOrEmptyDict("residualControl");
 
@@ -360,30 +426,25 @@ void Foam::unifiedSystem::checkPatches() const
         const fvPatchVectorField& U = U_.boundaryField()[patchi];
         const fvPatchScalarField& p = p_.boundaryField()[patchi];
 
-        const string refusalU(patchConditions::refusal(U));
-        const string refusalP(patchConditions::refusal(p));
-
         // The same patches on all processes: not those without faces here
         if (U.coupled() || isA<emptyFvPatch>(U.patch()))
         {
-            if (refusalU.size())
-            {
-                refusePatch(U_, patchi, refusalU, U.patch().type());
-            }
-            if (refusalP.size())
-            {
-                refusePatch(p_, patchi, refusalP, U.patch().type());
-            }
             continue;
         }
 
-        bool touches[2] = { false, false };
+        label nSolid = 0;
         for (const label celli : U.patch().faceCells())
         {
-            touches[materials_.solid(celli)] = true;
+            nSolid += materials_.solid(celli);
         }
-        const bool touchesFluid = returnReduce(touches[false], orOp<bool>());
-        const bool touchesSolid = returnReduce(touches[true], orOp<bool>());
+        const label nFluid = returnReduce(U.size() - nSolid, sumOp<label>());
+        reduce(nSolid, sumOp<label>());
+
+        const bool touchesFluid = nFluid > 0;
+        const bool touchesSolid = nSolid > 0;
+
+        const string refusalU(patchConditions::refusal(U));
+        const string refusalP(patchConditions::refusal(p));
 
         const bool traction = isA<solidTractionFvPatchVectorField>(U);
         const bool slips = isA<basicSymmetryFvPatchField<vector>>(U);
@@ -391,7 +452,8 @@ void Foam::unifiedSystem::checkPatches() const
         if
         (
             touchesSolid
-        && !traction && !slips
+         && !traction
+         && !slips
          && patchConditions::of(U) != patchConditions::GIVEN
         )
         {
@@ -403,7 +465,9 @@ void Foam::unifiedSystem::checkPatches() const
                 " surface without saying so",
                 "fixedValue and its kin (clamped or driven), slip,"
                 " symmetryPlane or symmetry (roller), solidTraction (given"
-                " traction; zero is a free surface)"
+                " traction; zero is a free surface)",
+                nFluid,
+                nSolid
             );
         }
 
@@ -414,8 +478,9 @@ void Foam::unifiedSystem::checkPatches() const
                 U_,
                 patchi,
                 "the patch touches a fluid",
-                "the conditions of pimpleFoam for a fluid, for instance"
-                " noSlip, fixedValue, zeroGradient, inletOutlet"
+                patchConditions::choices<vector>(),
+                nFluid,
+                nSolid
             );
         }
 
@@ -426,8 +491,9 @@ void Foam::unifiedSystem::checkPatches() const
                 U_,
                 patchi,
                 "the patch touches a fluid, and " + refusalU,
-                "the conditions of pimpleFoam for a fluid, for instance"
-                " noSlip, fixedValue, zeroGradient, inletOutlet"
+                patchConditions::choices<vector>(),
+                nFluid,
+                nSolid
             );
         }
 
@@ -438,8 +504,9 @@ void Foam::unifiedSystem::checkPatches() const
                 p_,
                 patchi,
                 "the patch touches a fluid, and " + refusalP,
-                "the conditions of pimpleFoam, p in Pa, for instance"
-                " fixedValue, totalPressure, zeroGradient, fixedFluxPressure"
+                patchConditions::choices<scalar>(),
+                nFluid,
+                nSolid
             );
         }
     }

@@ -32,15 +32,7 @@ License
 void Foam::unifiedSystem::setKnown()
 {
     const Time& time = mesh_.time();
-    const word scheme(mesh_.ddtScheme("ddt(" + U_.name() + ')'));
-
-    if (scheme != "Euler" && scheme != "backward")
-    {
-        FatalIOErrorInFunction(mesh_.schemesDict().subDict("ddtSchemes"))
-            << "Scheme of ddt(" << U_.name() << ") is " << scheme << nl
-            << "    Valid choices: Euler backward"
-            << exit(FatalIOError);
-    }
+    const word scheme(ddtScheme());
 
     // Weights of the scheme: ddt(u) = (c u - c0 u0 + c00 u00)/dt
     scalar c = 1;
@@ -119,6 +111,7 @@ void Foam::unifiedSystem::freeze()
     }
 
     sweep_.update();
+    checkDiagonal();
     sweep_.enclosed().checkFlux(phi_);
 
     // Displacement as a velocity, D/(beta dt): the size of the elastic force
@@ -324,9 +317,10 @@ void Foam::unifiedSystem::solve()
         nSweeps_ += perf.nSweeps;
         krylovConverged_ = perf.converged;
 
-        if (perf.nSweeps)
+        op_.residual(z_, known_, r_);
+        if (perf.broken)
         {
-            op_.residual(z_, known_, r_);
+            failKrylov();
         }
         if (sweep_.enclosed().elastic())
         {
@@ -337,7 +331,7 @@ void Foam::unifiedSystem::solve()
 
         sweep_.enclosed().setLevel(z_.p);
 
-        if (!perf.converged || perf.nSweeps == 0 || converged(z_, r_))
+        if (!perf.converged || converged(z_, r_))
         {
             break;
         }
@@ -350,34 +344,7 @@ void Foam::unifiedSystem::updateDisplacement()
     blockValues scale;
     relativeResiduals(z_, r_, relative_, scale);
     checkFinite();
-
-    if (!passes(relative_))
-    {
-        OStringStream which;
-        forAll(relative_, i)
-        {
-            if (relative_[i] > tolerance_[i])
-            {
-                which
-                    << ' ' << blockNames[i] << ' ' << relative_[i] << " > "
-                    << tolerance_[i];
-            }
-        }
-
-        if (stopIfNotConverged_)
-        {
-            FatalErrorInFunction
-                << "Not converged at time " << mesh_.time().timeName()
-                << " in " << nSweeps_ << " sweeps:" << which.str().c_str()
-                << nl << "    Nothing of this time is written"
-                << exit(FatalError);
-        }
-
-        WarningInFunction
-            << "Not converged at time " << mesh_.time().timeName()
-            << " in " << nSweeps_ << " sweeps:" << which.str().c_str()
-            << endl;
-    }
+    checkConverged();
 
     const fluxGeometry& geometry = flux_.geometry();
     const scalar betaDt = flux_.betaDt();
@@ -437,6 +404,7 @@ void Foam::unifiedSystem::updateDisplacement()
 
     vectorField traction(mesh_.nFaces(), Zero);
     flux_.stressField(z_, known_.D, sigma_.primitiveFieldRef(), traction);
+    validity_.checkStep(Df_, flux_.stress(true).grad(), betaDt);
     correctStressBoundary();
     for (const bool solid : {false, true})
     {
@@ -456,7 +424,7 @@ void Foam::unifiedSystem::report() const
     const scalar start = time.startTime().value();
     const scalar done =
         (time.value() - start)/max(time.endTime().value() - start, VSMALL);
-    const scalar elapsed = time.elapsedCpuTime();
+    const scalar elapsed = clock_.elapsedTime();
 
     // Few digits: the precision of the fields would make the line unreadable
     std::ostringstream line;
@@ -478,6 +446,12 @@ void Foam::unifiedSystem::report() const
         << "  remaining " << max(elapsed*(1/done - 1), 0.0) << " s";
 
     Info<< line.str().c_str() << endl;
+}
+
+
+void Foam::unifiedSystem::conclude() const
+{
+    validity_.report();
 }
 
 

@@ -126,6 +126,14 @@ void Foam::zoneMatrix::set
 }
 
 
+void Foam::zoneMatrix::tryOut()
+{
+    b_ = matrix_->diag();
+    x_ = 0;
+    solver_->solve(x_, b_);
+}
+
+
 Foam::label Foam::zoneMatrix::solve(const scalarField& b, scalarField& x)
 {
     const labelList& cells = zone_.cells();

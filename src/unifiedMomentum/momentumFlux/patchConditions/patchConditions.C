@@ -20,7 +20,6 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "patchConditions.H"
-#include "coupledPolyPatch.H"
 #include "localIOdictionary.H"
 #include "surfaceFields.H"
 #include "fixedValueFvPatchFields.H"
@@ -126,6 +125,60 @@ Foam::string Foam::patchConditions::refusal
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+namespace Foam
+{
+    template<>
+    string patchConditions::choices<vector>()
+    {
+        return
+            "the conditions of pimpleFoam for a fluid, for instance noSlip,"
+            " fixedValue, zeroGradient, inletOutlet; section 4 of the user"
+            " guide has all";
+    }
+
+
+    template<>
+    string patchConditions::choices<scalar>()
+    {
+        return
+            "the conditions of pimpleFoam, p in Pa, for instance fixedValue,"
+            " totalPressure, zeroGradient, fixedFluxPressure; section 4 of the"
+            " user guide has all";
+    }
+}
+
+
+void Foam::patchConditions::refuse
+(
+    const dictionary& file,
+    const word& field,
+    const word& patch,
+    const word& type,
+    const string& why,
+    const string& choices,
+    const label nFluid,
+    const label nSolid
+)
+{
+    FatalIOErrorInFunction
+    (
+        file.subDict("boundaryField").optionalSubDict(patch)
+    )
+        << "Entry 'type' of patch " << patch << " in field " << field << " is "
+        << type << ": " << why.c_str() << nl
+        << "    Its faces: " << nFluid << " of fluid cells, " << nSolid
+        << " of solid cells" << nl
+        << (
+               nFluid && nSolid
+             ? "    Split the patch by material: topoSet and createPatch,"
+               " section 4 of the user guide\n"
+             : ""
+           )
+        << "    Valid choices: " << choices.c_str()
+        << exit(FatalIOError);
+}
+
+
 template<class Type>
 Foam::IOobject Foam::patchConditions::checkTypes
 (
@@ -157,7 +210,10 @@ Foam::IOobject Foam::patchConditions::checkTypes
     );
     const dictionary& conditions = dict.subDict("boundaryField");
 
-    forAll(mesh.boundaryMesh(), patchi)
+    // The same patches on all processes: not those between them
+    const label nPatches = mesh.boundaryMesh().nNonProcessor();
+
+    for (label patchi = 0; patchi < nPatches; ++patchi)
     {
         const polyPatch& patch = mesh.boundaryMesh()[patchi];
         const dictionary* entries =
@@ -176,24 +232,36 @@ Foam::IOobject Foam::patchConditions::checkTypes
             continue;
         }
 
-        bool touchesFluid = isA<coupledPolyPatch>(patch);
-        for (const label celli : patch.faceCells())
-        {
-            touchesFluid = touchesFluid || !materials.solid(celli);
-        }
-
         const word type(entries->getOrDefault<word>("type", word::null));
         const string why(refusal(table<Type>(), type));
 
-        if (touchesFluid && type != patch.type() && why.size())
+        if (why.empty() || type == patch.type())
         {
-            FatalIOErrorInFunction(*entries)
-                << "Entry 'type' of patch " << patch.name() << " in field "
-                << file.name() << " is " << type
-                << ": the patch touches a fluid, and " << why.c_str() << nl
-                << "    Valid choices: the user guide's table of conditions,"
-                << " section 4"
-                << exit(FatalIOError);
+            continue;
+        }
+
+        label nSolid = 0;
+        for (const label celli : patch.faceCells())
+        {
+            nSolid += materials.solid(celli);
+        }
+        const label nFluid =
+            returnReduce(patch.size() - nSolid, sumOp<label>());
+        reduce(nSolid, sumOp<label>());
+
+        if (nFluid > 0)
+        {
+            refuse
+            (
+                dict,
+                file.name(),
+                patch.name(),
+                type,
+                "the patch touches a fluid, and " + why,
+                choices<Type>(),
+                nFluid,
+                nSolid
+            );
         }
     }
 

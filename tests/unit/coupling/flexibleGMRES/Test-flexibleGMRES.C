@@ -41,7 +41,7 @@ class denseSystem
 
 public:
 
-    enum preconditionerType { NONE, EXACT, CHANGING };
+    enum preconditionerType { NONE, EXACT, CHANGING, ZERO, NAN_LATER };
 
     static const label n = 4*nCells_ + 3*nFaces_;
 
@@ -49,6 +49,7 @@ public:
     scalarField b;
     scalarField exact;
     preconditionerType preconditioner;
+    scalar sign;
     label nApplied;
     label nPreconditioned;
     label nAsked;
@@ -64,6 +65,7 @@ public:
         b(n),
         exact(n),
         preconditioner(preconditioner),
+        sign(1),
         nApplied(0),
         nPreconditioned(0),
         nAsked(0)
@@ -159,6 +161,15 @@ public:
             }
         }
 
+        else if (preconditioner == ZERO)
+        {
+            x = 0;
+        }
+        else if (preconditioner == NAN_LATER && nPreconditioned > 4)
+        {
+            x = std::nan("");
+        }
+
         z = vectorOf(x);
     }
 
@@ -175,7 +186,7 @@ public:
         {
             sum += (1 + i % 4)*x[i]*y[i];
         }
-        return sum;
+        return sign*sum;
     }
 
     virtual bool converged
@@ -323,6 +334,46 @@ static void testZero()
 }
 
 
+static void testBroken()
+{
+    {
+        denseSystem system(1e-11, denseSystem::NAN_LATER);
+        unifiedVector z(denseSystem::zero());
+        const flexibleGMRES::performance perf =
+            solve(system, "", z, "no numbers");
+
+        check(perf.broken && !perf.converged, "no numbers: said");
+        check(perf.nSweeps == 5, "no numbers: ends with that sweep");
+        check
+        (
+            system.error(z) < max(mag(system.exact)()),
+            "no numbers: the solution is that of the sweeps before"
+        );
+    }
+    {
+        // A diagonal that is negative
+        denseSystem system(1e-11, denseSystem::CHANGING);
+        system.sign = -1;
+        unifiedVector z(denseSystem::zero());
+        const flexibleGMRES::performance perf =
+            solve(system, "", z, "negative norm");
+
+        check(perf.broken && !perf.converged, "negative norm: said");
+        check(perf.nSweeps == 1, "negative norm: ends");
+    }
+    {
+        denseSystem system(1e-11, denseSystem::ZERO);
+        unifiedVector z(denseSystem::zero());
+        const flexibleGMRES::performance perf =
+            solve(system, "maxSweeps 7;", z, "empty sweep");
+
+        check(!perf.broken && !perf.converged, "empty sweep: not converged");
+        check(perf.nSweeps == 7, "empty sweep: ends at maxSweeps");
+        checkNear(max(mag(system.list(z))()), 0, 0, "empty sweep: zero");
+    }
+}
+
+
 int main()
 {
     const label n = denseSystem::n;
@@ -344,6 +395,7 @@ int main()
     testMinimum();
     testStart();
     testZero();
+    testBroken();
 
     for (const char* entries : {"maxSweeps 0;", "nVectors -1;"})
     {

@@ -1,0 +1,387 @@
+/*---------------------------------------------------------------------------*\
+  umfsiFoam: fluid-structure interaction with one momentum equation
+-------------------------------------------------------------------------------
+License
+    This file is part of umfsiFoam.
+
+    umfsiFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by
+    the Free Software Foundation, either version 3 of the License, or
+    (at your option) any later version.
+
+    umfsiFoam is distributed in the hope that it will be useful, but WITHOUT
+    ANY WARRANTY; without even the implied warranty of MERCHANTABILITY or
+    FITNESS FOR A PARTICULAR PURPOSE.  See the GNU General Public License
+    for more details.
+
+    You should have received a copy of the GNU General Public License
+    along with umfsiFoam.  If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "validityCheck.H"
+#include "cellPlace.H"
+#include "faceValue.H"
+#include "OStringStream.H"
+#include "PstreamCombineReduceOps.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+const Foam::scalar Foam::validityCheck::largestGradient = 0.05;
+
+namespace Foam
+{
+    //- What to do about solids that start in motion
+    static const char* const startOnlyFluid =
+        "    The internalField of U holds for solids, too. To start the fluid"
+        " only: setFields\n"
+        "    with zoneToCell, section 4 of the user guide";
+
+    static const char* const saidOnce =
+        "    The equations and the mesh are those of small displacements:"
+        " README, Limits. This is\n"
+        "    said once.";
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::scalarField Foam::validityCheck::variation(const volVectorField& U) const
+{
+    const fvMesh& mesh = geometry_.mesh();
+    const labelUList& own = mesh.faceOwner();
+    const labelUList& nei = mesh.faceNeighbour();
+    const fluxGeometry::zone& solid = geometry_.cellsAndFaces(true);
+
+    scalarField largest(mesh.nCells(), 0);
+
+    for (const label facei : solid.internal)
+    {
+        const scalar dU = mag(U[own[facei]] - U[nei[facei]]);
+        largest[own[facei]] = max(largest[own[facei]], dU);
+        largest[nei[facei]] = max(largest[nei[facei]], dU);
+    }
+
+    const vectorField UN(geometry_.neighbourValues(U.primitiveField()));
+    for (const label facei : solid.coupled)
+    {
+        const scalar dU =
+            mag(U[own[facei]] - UN[facei - mesh.nInternalFaces()]);
+        largest[own[facei]] = max(largest[own[facei]], dU);
+    }
+
+    return largest;
+}
+
+
+bool Foam::validityCheck::checkSupports(const volVectorField& U) const
+{
+    const fvMesh& mesh = geometry_.mesh();
+    const label nPatches = mesh.boundaryMesh().nNonProcessor();
+    const scalarField around(variation(U));
+    const volVectorField::Boundary& Ub = U.boundaryField();
+
+    OStringStream found;
+
+    for (label patchi = 0; patchi < nPatches; ++patchi)
+    {
+        const fvPatch& patch = mesh.boundary()[patchi];
+        const labelUList& cells = patch.faceCells();
+        const fluxGeometry::faceKind kind =
+            patch.size()
+          ? geometry_.kind(patch.start()) : fluxGeometry::IGNORED;
+        const bool fixed = kind == fluxGeometry::FIXED;
+        const bool rolls =
+            kind == fluxGeometry::SLIP || kind == fluxGeometry::SYMMETRY;
+
+        bool solid = false;
+        for (const label celli : cells)
+        {
+            solid = solid || geometry_.materials().solid(celli);
+        }
+
+        vectorField Up(patch.size(), Zero);
+        if (returnReduce(fixed && solid, orOp<bool>()))
+        {
+            // The value read may be that of another time
+            const tmp<fvPatchVectorField> tnow(Ub[patchi].clone());
+            tnow.constCast().evaluate();
+            Up = tnow();
+        }
+
+        label nFaces = 0;
+        cellPlace worst;
+
+        forAll(cells, i)
+        {
+            const label celli = cells[i];
+            const vector& u = U[celli];
+
+            if (!(fixed || rolls) || !geometry_.materials().solid(celli))
+            {
+                continue;
+            }
+
+            if (rolls)
+            {
+                Up[i] = geometry_.tangential(patch.start() + i, u);
+            }
+            const scalar dU = mag(u - Up[i]);
+
+            // A solid at rest whose patch drives it is meant to be
+            if (dU > 2*around[celli] && dU > 1e-3*mag(u) && mag(u) > VSMALL)
+            {
+                ++nFaces;
+                if (dU > worst.value())
+                {
+                    OStringStream more;
+                    more<< ": " << u << " m/s, the patch " << Up[i] << " m/s";
+                    worst = cellPlace(mesh, celli, dU, more.str());
+                }
+            }
+        }
+
+        reduce(nFaces, sumOp<label>());
+        if (nFaces)
+        {
+            worst.reduce();
+            found
+                << "    Patch " << patch.name() << ": at " << nFaces
+                << " faces, most in" << nl << "        "
+                << worst.text().c_str() << nl;
+        }
+    }
+
+    if (found.str().empty())
+    {
+        return false;
+    }
+
+    WarningInFunction
+        << "Solid cells start with another velocity than the patch that holds"
+        << " them" << nl << found.str().c_str() << startOnlyFluid << endl;
+
+    return true;
+}
+
+
+void Foam::validityCheck::checkCarried(const volVectorField& U) const
+{
+    const fvMesh& mesh = geometry_.mesh();
+    const materialZones& materials = geometry_.materials();
+    const vectorField UN(geometry_.neighbourValues(U.primitiveField()));
+
+    forAll(materials.materials(), materiali)
+    {
+        if (!materials.materials()[materiali].solid())
+        {
+            continue;
+        }
+
+        // The same velocity in all cells of the solid?
+        vector least(vector::uniform(GREAT));
+        vector most(vector::uniform(-GREAT));
+        forAll(U, celli)
+        {
+            if (materials.materialIndex(celli) == materiali)
+            {
+                least = min(least, U[celli]);
+                most = max(most, U[celli]);
+            }
+        }
+        reduce(least, minOp<vector>());
+        reduce(most, maxOp<vector>());
+
+        if (least != most || least == vector::zero)
+        {
+            continue;
+        }
+
+        // And in a fluid cell at its surface?
+        bool carried = false;
+        for (const label facei : geometry_.unknownFaces())
+        {
+            if (geometry_.kind(facei) != fluxGeometry::INTERFACE)
+            {
+                continue;
+            }
+
+            const label own = mesh.faceOwner()[facei];
+            const bool internal = mesh.isInternalFace(facei);
+            const label nei = internal ? mesh.faceNeighbour()[facei] : -1;
+            const bool ownHere = materials.materialIndex(own) == materiali;
+
+            if (internal && materials.materialIndex(nei) == materiali)
+            {
+                carried =
+                    carried || (!materials.solid(own) && U[own] == most);
+            }
+            else if (ownHere && internal)
+            {
+                carried =
+                    carried || (!materials.solid(nei) && U[nei] == most);
+            }
+            else if (ownHere)
+            {
+                carried =
+                    carried || UN[facei - mesh.nInternalFaces()] == most;
+            }
+        }
+
+        if (returnReduce(carried, orOp<bool>()))
+        {
+            WarningInFunction
+                << "Solid " << materials.materials()[materiali].name()
+                << " starts as a whole with the velocity of the fluid beside"
+                << " it, " << most << " m/s" << nl << startOnlyFluid << endl;
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::validityCheck::validityCheck(const fluxGeometry& geometry)
+:
+    geometry_(geometry),
+    displacement_(0),
+    gradient_(0)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::validityCheck::checkStart(const volVectorField& U) const
+{
+    if (!checkSupports(U))
+    {
+        checkCarried(U);
+    }
+}
+
+
+void Foam::validityCheck::checkStep
+(
+    const surfaceVectorField& Df,
+    const tensorField& gradD,
+    const scalar scale
+)
+{
+    const fvMesh& mesh = geometry_.mesh();
+    const materialZones& materials = geometry_.materials();
+
+    // Of this process and step: the ratio, its cell and face; the gradient
+    scalar ratio = 0;
+    label ratioCell = -1;
+    label ratioFace = -1;
+    scalar gradient2 = 0;
+    label gradientCell = -1;
+
+    for (const label facei : geometry_.unknownFaces())
+    {
+        if (geometry_.kind(facei) != fluxGeometry::INTERFACE)
+        {
+            continue;
+        }
+
+        const bool ownFluid = !materials.solid(mesh.faceOwner()[facei]);
+        if
+        (
+            !ownFluid
+         && (
+                !mesh.isInternalFace(facei)
+             || materials.solid(mesh.faceNeighbour()[facei])
+            )
+        )
+        {
+            // Between solids, or the other process has the fluid
+            continue;
+        }
+
+        const scalar h =
+            ownFluid ? geometry_.hOwn()[facei] : geometry_.hNei()[facei];
+        const scalar here =
+            mag(faceValue(Df, facei) & geometry_.n()[facei])/(2*h);
+
+        if (here > ratio)
+        {
+            ratio = here;
+            ratioFace = facei;
+            ratioCell =
+                ownFluid
+              ? mesh.faceOwner()[facei] : mesh.faceNeighbour()[facei];
+        }
+    }
+
+    for (const label celli : geometry_.cellsAndFaces(true).cells)
+    {
+        const scalar here = magSqr(gradD[celli]);
+
+        if (here > gradient2)
+        {
+            gradient2 = here;
+            gradientCell = celli;
+        }
+    }
+    const scalar gradient = scale*sqrt(gradient2);
+
+    scalarList largest({ratio, gradient});
+    Pstream::listCombineGather(largest, maxEqOp<scalar>());
+    Pstream::listCombineScatter(largest);
+
+    if (largest[0] > 1 && displacement_ <= 1)
+    {
+        cellPlace place;
+        if (ratioCell >= 0)
+        {
+            OStringStream more;
+            more<< ": D of the face beside it " << faceValue(Df, ratioFace)
+                << " m";
+            place = cellPlace(mesh, ratioCell, ratio, more.str());
+        }
+        place.reduce();
+
+        WarningInFunction
+            << "At time " << mesh.time().timeName() << " an interface has"
+            << " moved by " << largest[0] << " of the thickness of the fluid's"
+            << " first cell" << nl << "        " << place.text().c_str() << nl
+            << saidOnce << endl;
+    }
+
+    if (largest[1] > largestGradient && gradient_ <= largestGradient)
+    {
+        cellPlace place;
+        if (gradientCell >= 0)
+        {
+            place = cellPlace(mesh, gradientCell, gradient);
+        }
+        place.reduce();
+
+        WarningInFunction
+            << "At time " << mesh.time().timeName() << " the gradient of D"
+            << " (strain, rotation) is " << largest[1] << ", above "
+            << largestGradient << nl << "        " << place.text().c_str()
+            << nl << saidOnce << endl;
+    }
+
+    displacement_ = max(displacement_, largest[0]);
+    gradient_ = max(gradient_, largest[1]);
+}
+
+
+void Foam::validityCheck::report() const
+{
+    const label nSolid = geometry_.cellsAndFaces(true).cells.size();
+
+    if (!returnReduce(nSolid, sumOp<label>()))
+    {
+        return;
+    }
+
+    Info<< nl << "Largest gradient of D: " << gradient_
+        << ", displacement across an interface: " << displacement_
+        << " of the fluid's cell" << endl;
+}
+
+
+// ************************************************************************* //
