@@ -24,6 +24,7 @@ License
 #include "linear.H"
 #include "onDisk.H"
 #include "readGravity.H"
+#include "laminarStress.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -320,6 +321,8 @@ Foam::unifiedSystem::unifiedSystem(fvMesh& mesh)
         mesh,
         dimensionedScalar("rho", dimDensity, 0)
     ),
+    viscosity_(),
+    stress_(),
     g_(readGravity(mesh)),
     fvOptions_(fv::options::New(mesh)),
     flux_(materials_, U_, p_),
@@ -364,6 +367,28 @@ Foam::unifiedSystem::unifiedSystem(fvMesh& mesh)
         }
     }
     rho_.correctBoundaryConditions();
+    for (fvPatchScalarField& rhoPatch : rho_.boundaryFieldRef())
+    {
+        if (!rhoPatch.coupled())
+        {
+            rhoPatch == rhoPatch.patchInternalField();
+        }
+    }
+
+    viscosity_.reset(new laminarViscosity(mesh, materials_));
+    stress_.reset
+    (
+        new laminarStress
+        (
+            U_,
+            phi_,
+            viscosity_(),
+            p_,
+            rho_,
+            sigma_,
+            traction_
+        )
+    );
 
     const bool haveUf = onDisk<surfaceVectorField>(fieldIO("Uf", mesh));
     const bool haveDf = onDisk<surfaceVectorField>(fieldIO("Df", mesh));
@@ -407,6 +432,11 @@ Foam::unifiedSystem::unifiedSystem(fvMesh& mesh)
     flux_.setConvection(phi_, U_);
     sweep_.update();
 }
+
+
+// * * * * * * * * * * * * * * * * Destructor  * * * * * * * * * * * * * * * //
+
+Foam::unifiedSystem::~unifiedSystem() = default;
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
