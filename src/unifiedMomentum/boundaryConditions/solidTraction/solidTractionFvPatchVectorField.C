@@ -23,6 +23,27 @@ License
 #include "addToRunTimeSelectionTable.H"
 #include "volFields.H"
 
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+bool Foam::solidTractionFvPatchVectorField::given() const
+{
+    return traction_.valid() && pressure_.valid();
+}
+
+
+void Foam::solidTractionFvPatchVectorField::mapFunctions
+(
+    const fvPatchFieldMapper& mapper
+)
+{
+    if (given())
+    {
+        traction_->autoMap(mapper);
+        pressure_->autoMap(mapper);
+    }
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::solidTractionFvPatchVectorField::solidTractionFvPatchVectorField
@@ -72,8 +93,7 @@ Foam::solidTractionFvPatchVectorField::solidTractionFvPatchVectorField
     pressure_(ptf.pressure_.clone(p.patch()))
 {
     // The clones still hold values of the unmapped patch
-    traction_().autoMap(mapper);
-    pressure_().autoMap(mapper);
+    mapFunctions(mapper);
 }
 
 
@@ -108,8 +128,7 @@ void Foam::solidTractionFvPatchVectorField::autoMap
 )
 {
     fixedValueFvPatchVectorField::autoMap(mapper);
-    traction_().autoMap(mapper);
-    pressure_().autoMap(mapper);
+    mapFunctions(mapper);
 }
 
 
@@ -124,8 +143,11 @@ void Foam::solidTractionFvPatchVectorField::rmap
     const solidTractionFvPatchVectorField& other =
         refCast<const solidTractionFvPatchVectorField>(ptf);
 
-    traction_().rmap(other.traction_(), addr);
-    pressure_().rmap(other.pressure_(), addr);
+    if (given() && other.given())
+    {
+        traction_->rmap(*other.traction_, addr);
+        pressure_->rmap(*other.pressure_, addr);
+    }
 }
 
 
@@ -134,6 +156,12 @@ Foam::solidTractionFvPatchVectorField::traction() const
 {
     const scalar t = db().time().timeOutputValue();
     const vectorField n(patch().nf());
+
+    if (!given())
+    {
+        return tmp<vectorField>::New(n.size(), Zero);
+    }
+
     const scalarField pressure(pressure_->value(t));
 
     return traction_->value(t) - pressure*n;
@@ -143,8 +171,11 @@ Foam::solidTractionFvPatchVectorField::traction() const
 void Foam::solidTractionFvPatchVectorField::write(Ostream& os) const
 {
     fvPatchVectorField::write(os);
-    traction_->writeData(os);
-    pressure_->writeData(os);
+    if (given())
+    {
+        traction_->writeData(os);
+        pressure_->writeData(os);
+    }
     writeEntry("value", os);
 }
 

@@ -25,6 +25,7 @@ License
 #include "onDisk.H"
 #include "readGravity.H"
 #include "laminarStress.H"
+#include "momentumOptions.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -324,7 +325,7 @@ Foam::unifiedSystem::unifiedSystem(fvMesh& mesh)
     viscosity_(),
     stress_(),
     g_(readGravity(mesh)),
-    fvOptions_(fv::options::New(mesh)),
+    fvOptions_(momentumOptions::New(mesh)),
     flux_(materials_, U_, p_),
     op_(flux_),
     sweep_(op_),
@@ -349,7 +350,6 @@ Foam::unifiedSystem::unifiedSystem(fvMesh& mesh)
 {
     checkTime();
     readControls();
-    checkOptions();
     checkFields();
     checkPatches();
 

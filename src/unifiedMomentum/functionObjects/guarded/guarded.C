@@ -24,6 +24,7 @@ License
 #include "addToRunTimeSelectionTable.H"
 #include "OSspecific.H"
 #include "stringOps.H"
+#include "wordRes.H"
 #include <algorithm>
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -57,6 +58,34 @@ namespace Foam
             reason += " at line " + Foam::name(error.ioStartLineNumber());
         }
         return reason + ": " + error.message();
+    }
+
+
+    //- Fail on a function object that would change what is being solved for
+    static void checkUnchanging(const dictionary& dict)
+    {
+        const word type(dict.get<word>("type"));
+        const wordList solution({"U", "p", "D", "phi", "Uf", "Df", "sigma"});
+
+        bool changes = type == "setFlow" || type == "hydrostaticPressure";
+        if (type == "limitFields")
+        {
+            const wordRes fields(dict.get<wordRes>("fields"));
+            for (const word& field : solution)
+            {
+                changes = changes || fields.match(field);
+            }
+        }
+
+        if (changes)
+        {
+            FatalIOErrorInFunction(dict)
+                << type << " changes fields of the solution" << nl
+                << "    Valid choices: initial fields, patch conditions,"
+                << " fvOptions; limitFields of fields other than "
+                << flatOutput(solution)
+                << exit(FatalIOError);
+        }
     }
 
 
@@ -232,6 +261,8 @@ void Foam::functionObjects::guarded::create(const dictionary& dict)
         [&]()
         {
             strict_ = dict.getOrDefault<word>("errors", "warn") == "strict";
+
+            checkUnchanging(dict);
 
             if (timeControl::entriesPresent(dict))
             {
