@@ -295,7 +295,8 @@ TABLE = [
      "there is no energy"),
     ("thermoCoupleProbes", UTILITY, "rho 1; Cp 1; d 1e-3; epsilon 0.5;"
      " radiationField G; fields (T); interpolationScheme cell; solver rodas23;"
-     " probeLocations ((0.5 0.5 0.05));", ("says", ""), "there is no energy"),
+     " probeLocations ((0.5 0.5 0.05));", ("says", "fluidThermo"),
+     "there is no energy"),
     ("MachNo", FIELD, "field U; result Ma;",
      ("log", "cannot find required object thermophysicalProperties"),
      "incompressible"),
@@ -315,7 +316,7 @@ TABLE = [
     ("stabilityBlendingFactor", FIELD, "field U; result stable;"
      " switchNonOrtho yes; switchGradCc no; switchResiduals no;"
      " switchFaceWeight no; switchSkewness no; switchCo no;",
-     ("log", "stabilityBlendingFactor"), ""),
+     ("says", "nonOrthoAngle"), "needs its fields"),
     ("cloudInfo", "lagrangianFunctionObjects", "clouds (none);",
      ("says", "kinematicCloud none"), "there are no particles"),
     ("icoUncoupledKinematicCloud", "lagrangianFunctionObjects", "",

@@ -22,10 +22,11 @@ License
 #include "guarded.H"
 #include "timeControlFunctionObject.H"
 #include "addToRunTimeSelectionTable.H"
-#include "OSspecific.H"
 #include "stringOps.H"
 #include "wordRes.H"
 #include <algorithm>
+#include <chrono>
+#include <thread>
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -99,12 +100,8 @@ namespace Foam
             return true;
         }
 
-        for
-        (
-            label waited = 0;
-            waited <= functionObjects::guarded::patience;
-            ++waited
-        )
+        const label steps = 100*functionObjects::guarded::patience;
+        for (label step = 0; step <= steps; ++step)
         {
             bool all = true;
             for (label i = firstRequest; i < UPstream::nRequests(); ++i)
@@ -116,7 +113,7 @@ namespace Foam
                 UPstream::resetRequests(firstRequest);
                 return true;
             }
-            sleep(1);
+            std::this_thread::sleep_for(std::chrono::milliseconds(10));
         }
 
         return false;
