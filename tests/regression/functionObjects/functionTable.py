@@ -319,6 +319,4 @@ TABLE = [
      ("says", "nonOrthoAngle"), "needs its fields"),
     ("cloudInfo", "lagrangianFunctionObjects", "clouds (none);",
      ("says", "kinematicCloud none"), "there are no particles"),
-    ("icoUncoupledKinematicCloud", "lagrangianFunctionObjects", "",
-     ("says", "constant/g"), "needs its input"),
 ]

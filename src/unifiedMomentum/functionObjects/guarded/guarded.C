@@ -165,6 +165,8 @@ namespace Foam
 
         if (!come)
         {
+            // Also if the list of function objects catches errors
+            FatalError.throwExceptions(false);
             FatalErrorInFunction
                 << "A function object failed on this process only, while"
                 << " others wait for it: " << failure.c_str()

@@ -169,14 +169,17 @@ label newCalls(const word& nameAndWhere)
 int main(int argc, char *argv[])
 {
     argList::noCheckProcessorDirectories();
-    argList::addBoolOption("alone", "One fails, the others wait: must stop");
+    argList::addOption("alone", "stage", "One fails, others wait: must stop");
     argList args(argc, argv);
     Time runTime(Time::controlDictName, args);
 
     if (args.found("alone"))
     {
         functionObjects::guarded::patience = 1;
-        dictionary dict(control("failAt execute; alone 1; othersWait yes;"));
+        dictionary dict
+        (
+            control("failAt " + args["alone"] + "; alone 1; othersWait yes;")
+        );
         functionObjectList list(runTime, dict);
         list.start();
         list.execute();
