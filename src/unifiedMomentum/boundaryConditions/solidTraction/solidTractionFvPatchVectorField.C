@@ -54,7 +54,9 @@ Foam::solidTractionFvPatchVectorField::solidTractionFvPatchVectorField
 :
     fixedValueFvPatchVectorField(p, iF),
     traction_(),
-    pressure_()
+    pressure_(),
+    entries_(),
+    noFaces_(true)
 {}
 
 
@@ -67,8 +69,21 @@ Foam::solidTractionFvPatchVectorField::solidTractionFvPatchVectorField
 :
     fixedValueFvPatchVectorField(p, iF, dict, false),
     traction_(PatchFunction1<vector>::New(p.patch(), "traction", dict)),
-    pressure_(PatchFunction1<scalar>::New(p.patch(), "pressure", dict))
+    pressure_(PatchFunction1<scalar>::New(p.patch(), "pressure", dict)),
+    entries_(),
+    noFaces_(p.size() == 0)
 {
+    if (noFaces_)
+    {
+        for (const entry& e : dict)
+        {
+            if (e.keyword() != "type" && e.keyword() != "value")
+            {
+                entries_.add(e);
+            }
+        }
+    }
+
     if (dict.found("value"))
     {
         fvPatchVectorField::operator=(vectorField("value", dict, p.size()));
@@ -90,7 +105,9 @@ Foam::solidTractionFvPatchVectorField::solidTractionFvPatchVectorField
 :
     fixedValueFvPatchVectorField(ptf, p, iF, mapper),
     traction_(ptf.traction_.clone(p.patch())),
-    pressure_(ptf.pressure_.clone(p.patch()))
+    pressure_(ptf.pressure_.clone(p.patch())),
+    entries_(),
+    noFaces_(ptf.noFaces_)
 {
     // The clones still hold values of the unmapped patch
     mapFunctions(mapper);
@@ -104,7 +121,9 @@ Foam::solidTractionFvPatchVectorField::solidTractionFvPatchVectorField
 :
     fixedValueFvPatchVectorField(ptf),
     traction_(ptf.traction_.clone(ptf.patch().patch())),
-    pressure_(ptf.pressure_.clone(ptf.patch().patch()))
+    pressure_(ptf.pressure_.clone(ptf.patch().patch())),
+    entries_(ptf.entries_),
+    noFaces_(ptf.noFaces_)
 {}
 
 
@@ -116,7 +135,9 @@ Foam::solidTractionFvPatchVectorField::solidTractionFvPatchVectorField
 :
     fixedValueFvPatchVectorField(ptf, iF),
     traction_(ptf.traction_.clone(ptf.patch().patch())),
-    pressure_(ptf.pressure_.clone(ptf.patch().patch()))
+    pressure_(ptf.pressure_.clone(ptf.patch().patch())),
+    entries_(ptf.entries_),
+    noFaces_(ptf.noFaces_)
 {}
 
 
@@ -142,6 +163,13 @@ void Foam::solidTractionFvPatchVectorField::rmap
 
     const solidTractionFvPatchVectorField& other =
         refCast<const solidTractionFvPatchVectorField>(ptf);
+
+    if (noFaces_ && other.given() && other.size())
+    {
+        traction_ = other.traction_.clone(patch().patch());
+        pressure_ = other.pressure_.clone(patch().patch());
+        noFaces_ = false;
+    }
 
     if (given() && other.given())
     {
@@ -171,7 +199,11 @@ Foam::solidTractionFvPatchVectorField::traction() const
 void Foam::solidTractionFvPatchVectorField::write(Ostream& os) const
 {
     fvPatchVectorField::write(os);
-    if (given())
+    if (entries_.size())
+    {
+        entries_.write(os, false);
+    }
+    else if (given())
     {
         traction_->writeData(os);
         pressure_->writeData(os);
