@@ -23,6 +23,27 @@ License
 #include "addToRunTimeSelectionTable.H"
 #include "volFields.H"
 
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+bool Foam::solidTractionFvPatchVectorField::given() const
+{
+    return traction_.valid() && pressure_.valid();
+}
+
+
+void Foam::solidTractionFvPatchVectorField::mapFunctions
+(
+    const fvPatchFieldMapper& mapper
+)
+{
+    if (given())
+    {
+        traction_->autoMap(mapper);
+        pressure_->autoMap(mapper);
+    }
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::solidTractionFvPatchVectorField::solidTractionFvPatchVectorField
@@ -33,7 +54,9 @@ Foam::solidTractionFvPatchVectorField::solidTractionFvPatchVectorField
 :
     fixedValueFvPatchVectorField(p, iF),
     traction_(),
-    pressure_()
+    pressure_(),
+    entries_(),
+    noFaces_(true)
 {}
 
 
@@ -46,8 +69,21 @@ Foam::solidTractionFvPatchVectorField::solidTractionFvPatchVectorField
 :
     fixedValueFvPatchVectorField(p, iF, dict, false),
     traction_(PatchFunction1<vector>::New(p.patch(), "traction", dict)),
-    pressure_(PatchFunction1<scalar>::New(p.patch(), "pressure", dict))
+    pressure_(PatchFunction1<scalar>::New(p.patch(), "pressure", dict)),
+    entries_(),
+    noFaces_(p.size() == 0)
 {
+    if (noFaces_)
+    {
+        for (const entry& e : dict)
+        {
+            if (e.keyword() != "type" && e.keyword() != "value")
+            {
+                entries_.add(e);
+            }
+        }
+    }
+
     if (dict.found("value"))
     {
         fvPatchVectorField::operator=(vectorField("value", dict, p.size()));
@@ -69,11 +105,12 @@ Foam::solidTractionFvPatchVectorField::solidTractionFvPatchVectorField
 :
     fixedValueFvPatchVectorField(ptf, p, iF, mapper),
     traction_(ptf.traction_.clone(p.patch())),
-    pressure_(ptf.pressure_.clone(p.patch()))
+    pressure_(ptf.pressure_.clone(p.patch())),
+    entries_(),
+    noFaces_(ptf.noFaces_)
 {
     // The clones still hold values of the unmapped patch
-    traction_().autoMap(mapper);
-    pressure_().autoMap(mapper);
+    mapFunctions(mapper);
 }
 
 
@@ -84,7 +121,9 @@ Foam::solidTractionFvPatchVectorField::solidTractionFvPatchVectorField
 :
     fixedValueFvPatchVectorField(ptf),
     traction_(ptf.traction_.clone(ptf.patch().patch())),
-    pressure_(ptf.pressure_.clone(ptf.patch().patch()))
+    pressure_(ptf.pressure_.clone(ptf.patch().patch())),
+    entries_(ptf.entries_),
+    noFaces_(ptf.noFaces_)
 {}
 
 
@@ -96,7 +135,9 @@ Foam::solidTractionFvPatchVectorField::solidTractionFvPatchVectorField
 :
     fixedValueFvPatchVectorField(ptf, iF),
     traction_(ptf.traction_.clone(ptf.patch().patch())),
-    pressure_(ptf.pressure_.clone(ptf.patch().patch()))
+    pressure_(ptf.pressure_.clone(ptf.patch().patch())),
+    entries_(ptf.entries_),
+    noFaces_(ptf.noFaces_)
 {}
 
 
@@ -108,8 +149,7 @@ void Foam::solidTractionFvPatchVectorField::autoMap
 )
 {
     fixedValueFvPatchVectorField::autoMap(mapper);
-    traction_().autoMap(mapper);
-    pressure_().autoMap(mapper);
+    mapFunctions(mapper);
 }
 
 
@@ -124,8 +164,18 @@ void Foam::solidTractionFvPatchVectorField::rmap
     const solidTractionFvPatchVectorField& other =
         refCast<const solidTractionFvPatchVectorField>(ptf);
 
-    traction_().rmap(other.traction_(), addr);
-    pressure_().rmap(other.pressure_(), addr);
+    if (noFaces_ && other.given() && other.size())
+    {
+        traction_ = other.traction_.clone(patch().patch());
+        pressure_ = other.pressure_.clone(patch().patch());
+        noFaces_ = false;
+    }
+
+    if (given() && other.given())
+    {
+        traction_->rmap(*other.traction_, addr);
+        pressure_->rmap(*other.pressure_, addr);
+    }
 }
 
 
@@ -134,6 +184,12 @@ Foam::solidTractionFvPatchVectorField::traction() const
 {
     const scalar t = db().time().timeOutputValue();
     const vectorField n(patch().nf());
+
+    if (!given())
+    {
+        return tmp<vectorField>::New(n.size(), Zero);
+    }
+
     const scalarField pressure(pressure_->value(t));
 
     return traction_->value(t) - pressure*n;
@@ -143,8 +199,15 @@ Foam::solidTractionFvPatchVectorField::traction() const
 void Foam::solidTractionFvPatchVectorField::write(Ostream& os) const
 {
     fvPatchVectorField::write(os);
-    traction_->writeData(os);
-    pressure_->writeData(os);
+    if (entries_.size())
+    {
+        entries_.write(os, false);
+    }
+    else if (given())
+    {
+        traction_->writeData(os);
+        pressure_->writeData(os);
+    }
     writeEntry("value", os);
 }
 

@@ -25,6 +25,8 @@ License
 #include "onDisk.H"
 #include "patchConditions.H"
 #include "readGravity.H"
+#include "laminarStress.H"
+#include "momentumOptions.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -405,8 +407,10 @@ Foam::unifiedSystem::unifiedSystem(fvMesh& mesh)
         mesh,
         dimensionedScalar("rho", dimDensity, 0)
     ),
+    viscosity_(),
+    stress_(),
     g_(readGravity(mesh)),
-    fvOptions_(fv::options::New(mesh)),
+    fvOptions_(momentumOptions::New(mesh)),
     flux_(materials_, U_, p_),
     op_(flux_),
     sweep_(op_),
@@ -436,7 +440,6 @@ Foam::unifiedSystem::unifiedSystem(fvMesh& mesh)
     checkTime();
     ddtScheme();
     readControls();
-    checkOptions();
     checkFields();
     checkPatches();
 
@@ -458,6 +461,21 @@ Foam::unifiedSystem::unifiedSystem(fvMesh& mesh)
     }
     rho_.correctBoundaryConditions();
     clearOthers();
+
+    viscosity_.reset(new laminarViscosity(mesh, materials_));
+    stress_.reset
+    (
+        new laminarStress
+        (
+            U_,
+            phi_,
+            viscosity_(),
+            p_,
+            rho_,
+            sigma_,
+            traction_
+        )
+    );
 
     const bool haveUf = onDisk<surfaceVectorField>(fieldIO("Uf", mesh));
     const bool haveDf = onDisk<surfaceVectorField>(fieldIO("Df", mesh));
@@ -508,6 +526,11 @@ Foam::unifiedSystem::unifiedSystem(fvMesh& mesh)
     sweep_.update();
     sweep_.tryOut();
 }
+
+
+// * * * * * * * * * * * * * * * * Destructor  * * * * * * * * * * * * * * * //
+
+Foam::unifiedSystem::~unifiedSystem() = default;
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //

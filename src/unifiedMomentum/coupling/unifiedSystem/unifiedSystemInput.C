@@ -283,31 +283,6 @@ Foam::word Foam::unifiedSystem::ddtScheme() const
 }
 
 
-void Foam::unifiedSystem::checkOptions() const
-{
-    const wordRes refused
-    ({
-        wordRe(".*Constraint", wordRe::REGEX),
-        wordRe("meanVelocityForce"),
-        wordRe("patchMeanVelocityForce"),
-        wordRe("directionalPressureGradientExplicitSource")
-    });
-
-    for (const fv::option& option : static_cast<fv::optionList&>(fvOptions_))
-    {
-        if (refused.match(option.type()))
-        {
-            FatalIOErrorInFunction(option.coeffs())
-                << "Entry 'type' of " << option.name() << " is "
-                << option.type() << ", which constrains a matrix that this"
-                << " solver does not have" << nl
-                << "    Valid choices: options that are sources"
-                << exit(FatalIOError);
-        }
-    }
-}
-
-
 void Foam::unifiedSystem::readControls()
 {
     const dictionary& solution = mesh_.solutionDict();

@@ -21,6 +21,7 @@ License
 
 
 #include "restartableTime.H"
+#include "guarded.H"
 #include "IFstream.H"
 #include "OFstream.H"
 #include "OSspecific.H"
@@ -366,6 +367,13 @@ void Foam::restartableTime::readOldDeltaT()
 }
 
 
+void Foam::restartableTime::guardFunctions()
+{
+    // Read after this, at the start of run() and when the file has changed
+    functionObjects::guarded::guardAll(const_cast<dictionary&>(controlDict()));
+}
+
+
 Foam::fileName Foam::restartableTime::mark() const
 {
     return markOf(rootPath()/globalCaseName());
@@ -417,6 +425,7 @@ Foam::restartableTime::restartableTime(const argList& args)
 {
     takePurge();
     readOldDeltaT();
+    guardFunctions();
 }
 
 
@@ -426,6 +435,7 @@ void Foam::restartableTime::readDict()
 {
     Time::readDict();
     takePurge();
+    guardFunctions();
 }
 
 
