@@ -20,6 +20,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "cellPlace.H"
+#include "Tuple2.H"
 #include "OStringStream.H"
 #include "DynamicList.H"
 
@@ -87,25 +88,20 @@ Foam::cellPlace::cellPlace
 
 void Foam::cellPlace::reduce()
 {
-    List<scalar> values(Pstream::nProcs());
-    List<string> texts(Pstream::nProcs());
+    typedef Tuple2<scalar, string> place;
 
-    values[Pstream::myProcNo()] = value_;
-    texts[Pstream::myProcNo()] = text_;
-
-    Pstream::gatherList(values);
-    Pstream::scatterList(values);
-    Pstream::gatherList(texts);
-    Pstream::scatterList(texts);
-
-    forAll(values, proci)
-    {
-        if (values[proci] > value_ || proci == 0)
+    place largest(value_, text_);
+    Foam::reduce
+    (
+        largest,
+        [](const place& a, const place& b)
         {
-            value_ = values[proci];
-            text_ = texts[proci];
+            return a.first() >= b.first() ? a : b;
         }
-    }
+    );
+
+    value_ = largest.first();
+    text_ = largest.second();
 }
 
 

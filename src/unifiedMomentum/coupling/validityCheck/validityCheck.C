@@ -325,11 +325,12 @@ void Foam::validityCheck::checkStep
     }
     const scalar gradient = scale*sqrt(gradient2);
 
-    scalarList largest({ratio, gradient});
-    Pstream::listCombineGather(largest, maxEqOp<scalar>());
-    Pstream::listCombineScatter(largest);
+    const vector2D largest
+    (
+        returnReduce(vector2D(ratio, gradient), maxOp<vector2D>())
+    );
 
-    if (largest[0] > 1 && displacement_ <= 1)
+    if (largest.x() > 1 && displacement_ <= 1)
     {
         cellPlace place;
         if (ratioCell >= 0)
@@ -343,12 +344,12 @@ void Foam::validityCheck::checkStep
 
         WarningInFunction
             << "At time " << mesh.time().timeName() << " an interface has"
-            << " moved by " << largest[0] << " of the thickness of the fluid's"
+            << " moved by " << largest.x() << " of the thickness of the fluid's"
             << " first cell" << nl << "        " << place.text().c_str() << nl
             << saidOnce << endl;
     }
 
-    if (largest[1] > largestGradient && gradient_ <= largestGradient)
+    if (largest.y() > largestGradient && gradient_ <= largestGradient)
     {
         cellPlace place;
         if (gradientCell >= 0)
@@ -359,13 +360,13 @@ void Foam::validityCheck::checkStep
 
         WarningInFunction
             << "At time " << mesh.time().timeName() << " the gradient of D"
-            << " (strain, rotation) is " << largest[1] << ", above "
+            << " (strain, rotation) is " << largest.y() << ", above "
             << largestGradient << nl << "        " << place.text().c_str()
             << nl << saidOnce << endl;
     }
 
-    displacement_ = max(displacement_, largest[0]);
-    gradient_ = max(gradient_, largest[1]);
+    displacement_ = max(displacement_, largest.x());
+    gradient_ = max(gradient_, largest.y());
 }
 
 
