@@ -21,24 +21,6 @@ License
 
 #include "stressFlux.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace Foam
-{
-    //- (a_t I + a_n nn).r
-    inline vector stiffness
-    (
-        const scalar aT,
-        const scalar aN,
-        const vector& n,
-        const vector& r
-    )
-    {
-        return aT*r + (aN*(n & r))*n;
-    }
-}
-
-
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::stressFlux::jumpForces(const vectorField& u)
@@ -46,7 +28,6 @@ void Foam::stressFlux::jumpForces(const vectorField& u)
     const fvMesh& mesh = geometry_.mesh();
     const labelUList& own = mesh.faceOwner();
     const labelUList& nei = mesh.faceNeighbour();
-    const vectorField& n = geometry_.n();
     const vectorField& dOwn = geometry_.dOwn();
     const vectorField& dNei = geometry_.dNei();
     const scalarField& V = geometry_.V();
@@ -63,8 +44,7 @@ void Foam::stressFlux::jumpForces(const vectorField& u)
         const label c = own[facei];
         const vector r(uf_[facei] - u[c] - (dOwn[facei] & grad_[c]));
 
-        ownJump_[facei] =
-            stiffness(ownT_[facei], ownN_[facei], n[facei], r);
+        ownJump_[facei] = stiffness_.own(facei, r);
         stress_[c] += dOwn[facei]*ownJump_[facei];
     };
 
@@ -73,8 +53,7 @@ void Foam::stressFlux::jumpForces(const vectorField& u)
         const label c = nei[facei];
         const vector r(uf_[facei] - u[c] - (dNei[facei] & grad_[c]));
 
-        neiJump_[facei] =
-            stiffness(neiT_[facei], neiN_[facei], n[facei], r);
+        neiJump_[facei] = stiffness_.nei(facei, r);
         stress_[c] += dNei[facei]*neiJump_[facei];
     };
 
@@ -316,10 +295,7 @@ Foam::stressFlux::stressFlux(const fluxGeometry& geometry, const bool solid)
     zone_(geometry.cellsAndFaces(solid)),
     mu_(geometry.materials().materials().size()),
     lambda_(mu_.size()),
-    ownT_(geometry.mesh().nFaces(), 0),
-    ownN_(ownT_),
-    neiT_(ownT_),
-    neiN_(ownT_),
+    stiffness_(geometry),
     gradient_(geometry, solid),
     uf_(geometry.mesh().nFaces(), Zero),
     grad_(geometry.mesh().nCells(), Zero),
@@ -337,11 +313,6 @@ Foam::stressFlux::stressFlux(const fluxGeometry& geometry, const bool solid)
 
 void Foam::stressFlux::setFactor(const scalar factor)
 {
-    const fvMesh& mesh = geometry_.mesh();
-    const labelUList& own = mesh.faceOwner();
-    const labelUList& nei = mesh.faceNeighbour();
-    const scalarField& hOwn = geometry_.hOwn();
-    const scalarField& hNei = geometry_.hNei();
     const materialZones& materials = geometry_.materials();
 
     forAll(mu_, materiali)
@@ -350,66 +321,7 @@ void Foam::stressFlux::setFactor(const scalar factor)
         lambda_[materiali] = factor*materials.materials()[materiali].lambda();
     }
 
-    scalarField hMin(mesh.nCells(), GREAT);
-
-    forAll(mesh.faces(), facei)
-    {
-        if (geometry_.kind(facei) != fluxGeometry::IGNORED)
-        {
-            hMin[own[facei]] = min(hMin[own[facei]], hOwn[facei]);
-            if (mesh.isInternalFace(facei))
-            {
-                hMin[nei[facei]] = min(hMin[nei[facei]], hNei[facei]);
-            }
-        }
-    }
-
-    // Softer jumps along the long side of a slender cell let it bend; the
-    // floor keeps its high modes from going soft
-    const scalar floor = 0.25;
-
-    const auto set = [&]
-    (
-        const label facei,
-        const label celli,
-        const scalar h,
-        scalar& aT,
-        scalar& aN
-    )
-    {
-        const label materiali = materials.materialIndex(celli);
-        const scalar S = mag(mesh.faceAreas()[facei]);
-
-        if (materials[celli].faceStiffness() == material::COMPACT)
-        {
-            aT = mu_[materiali]*S/h;
-            aN = (mu_[materiali] + lambda_[materiali])*S/h;
-        }
-        else
-        {
-            aT = max(sqr(hMin[celli]/h), floor)*mu_[materiali]*S/h;
-            aN = 0;
-        }
-    };
-
-    forAll(mesh.faces(), facei)
-    {
-        if (geometry_.kind(facei) != fluxGeometry::IGNORED)
-        {
-            set(facei, own[facei], hOwn[facei], ownT_[facei], ownN_[facei]);
-            if (mesh.isInternalFace(facei))
-            {
-                set
-                (
-                    facei,
-                    nei[facei],
-                    hNei[facei],
-                    neiT_[facei],
-                    neiN_[facei]
-                );
-            }
-        }
-    }
+    stiffness_.set(mu_, lambda_);
 }
 
 
@@ -513,7 +425,7 @@ Foam::scalar Foam::stressFlux::sideDiffusion
        *(
             mu_[geometry_.materials().materialIndex(celli)]
            *mag(mesh.faceAreas()[facei])/h
-          + (owner ? ownT_[facei] : neiT_[facei])
+          + stiffness_.across(facei, owner)
         );
 }
 
@@ -535,7 +447,7 @@ Foam::scalar Foam::stressFlux::sideExtraNormal
        *(
             (mu_[materiali] + lambda_[materiali])
            *mag(mesh.faceAreas()[facei])/h
-          + (owner ? ownN_[facei] : neiN_[facei])
+          + stiffness_.extraNormal(facei, owner)
         );
 }
 
