@@ -34,30 +34,47 @@ void Foam::faceStiffness::setSide
     scalar& aN
 ) const
 {
-    // Softer jumps along the long side of a slender cell let it bend; the
-    // floor keeps its high modes from going soft
-    const scalar floor = 0.25;
-
     const scalar S = mag(geometry_.mesh().faceAreas()[facei]);
 
-    if (geometry_.materials()[celli].faceStiffness() == material::COMPACT)
+    switch (geometry_.materials()[celli].faceStiffness())
     {
-        aT = mu*S/h;
-        aN = (mu + lambda)*S/h;
-    }
-    else
-    {
-        aT = max(sqr(hMin_[celli]/h), floor)*mu*S/h;
-        aN = 0;
+        case material::COMPACT:
+        {
+            aT = mu*S/h;
+            aN = (mu + lambda)*S/h;
+            break;
+        }
+        case material::LINKED:
+        {
+            aT = mu*S/h;
+            aN = (4*mu*(mu + lambda)/(2*mu + lambda) - mu)*S/h;
+            break;
+        }
+        case material::LOCKING_FREE:
+        {
+            // Softer jumps along the long side of a slender cell let it bend;
+            // the floor keeps its high modes from going soft
+            const scalar floor = 0.25;
+
+            aT = max(sqr(hMin_[celli]/h), floor)*mu*S/h;
+            aN = 0;
+            break;
+        }
     }
 }
 
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::faceStiffness::faceStiffness(const fluxGeometry& geometry)
+Foam::faceStiffness::faceStiffness
+(
+    const fluxGeometry& geometry,
+    const faceLinks& links
+)
 :
     geometry_(geometry),
+    ownAxis_(links.ownAxis()),
+    neiAxis_(links.neiAxis()),
     hMin_(geometry.mesh().nCells(), GREAT),
     ownT_(geometry.mesh().nFaces(), 0),
     ownN_(ownT_),
@@ -131,6 +148,28 @@ void Foam::faceStiffness::set
             );
         }
     }
+}
+
+
+Foam::scalar Foam::faceStiffness::extraNormal
+(
+    const label facei,
+    const bool owner
+) const
+{
+    const fvMesh& mesh = geometry_.mesh();
+    const label celli =
+        owner ? mesh.faceOwner()[facei] : mesh.faceNeighbour()[facei];
+    const scalar aN = owner ? ownN_[facei] : neiN_[facei];
+
+    if (geometry_.materials()[celli].faceStiffness() != material::LINKED)
+    {
+        return aN;
+    }
+
+    const vector& axis = owner ? ownAxis_[facei] : neiAxis_[facei];
+
+    return aN*sqr(axis & geometry_.n()[facei]);
 }
 
 

@@ -679,7 +679,7 @@ void Foam::momentumFlux::stressField
     vectorField R(z.Uf.size());
     forces(z, &offset, cellForce, R);
 
-    if (geometry_.skewed())
+    if (fluidStress_.spoilsGradients() || solidStress_.spoilsGradients())
     {
         // The forces took the storage of the gradients
         const vectorField v(z.U + offset.cells);

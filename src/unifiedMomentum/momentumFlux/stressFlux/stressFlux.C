@@ -173,120 +173,6 @@ void Foam::stressFlux::addForces(vectorField& cellForce)
 }
 
 
-void Foam::stressFlux::addSkewForces(vectorField& cellForce)
-{
-    const fvMesh& mesh = geometry_.mesh();
-    const label nInternal = mesh.nInternalFaces();
-    const labelUList& own = mesh.faceOwner();
-    const labelUList& nei = mesh.faceNeighbour();
-    const vectorField& S = mesh.faceAreas();
-    const scalarField& w = geometry_.w();
-    const vectorField& s = geometry_.skew();
-    const tensorField& W = geometry_.warp();
-    const bool warped = geometry_.warped();
-
-    for (const label facei : zone_.internal)
-    {
-        ownForce_[facei] =
-            (S[facei] & stress_[own[facei]]) + ownJump_[facei];
-        neiForce_[facei] =
-            neiJump_[facei] - (S[facei] & stress_[nei[facei]]);
-    }
-    setSideForces();
-
-    // Q: what the corrected face values ask of the uncorrected gradients.
-    // The gradients are no longer needed: their storage takes Q
-    tensorField& Q = grad_;
-
-    for (const label celli : zone_.cells)
-    {
-        Q[celli] = Zero;
-    }
-
-    for (const label facei : zone_.internal)
-    {
-        const vector R(ownForce_[facei] + neiForce_[facei]);
-        tensor q(s[facei]*R);
-
-        if (warped)
-        {
-            const tensor jump(stress_[own[facei]] - stress_[nei[facei]]);
-            const tensor WT(W[facei].T());
-            q += WT & jump;
-        }
-
-        Q[own[facei]] += w[facei]*q;
-        Q[nei[facei]] += (1 - w[facei])*q;
-    }
-
-    if (geometry_.anyCoupled())
-    {
-        const vectorField beyond(geometry_.neighbourSides(ownForce_));
-        const tensorField stressN(geometry_.neighbourValues(stress_));
-
-        for (const label facei : zone_.coupled)
-        {
-            const vector R(ownForce_[facei] + beyond[facei - nInternal]);
-            tensor q(s[facei]*R);
-
-            if (warped)
-            {
-                const tensor jump
-                (
-                    stress_[own[facei]] - stressN[facei - nInternal]
-                );
-                const tensor WT(W[facei].T());
-                q += WT & jump;
-            }
-
-            Q[own[facei]] += w[facei]*q;
-        }
-    }
-
-    for (const label facei : zone_.symmetry)
-    {
-        Q[own[facei]] +=
-            s[facei]*geometry_.tangential(facei, ownForce_[facei]);
-    }
-
-    // Z = B^-T Q
-    for (const label celli : zone_.cells)
-    {
-        const tensor BT(geometry_.invB()[celli].T());
-        const tensor q(Q[celli]/geometry_.V()[celli]);
-        Q[celli] = BT & q;
-    }
-
-    for (const label facei : zone_.internal)
-    {
-        ownForce_[facei] += S[facei] & Q[own[facei]];
-        neiForce_[facei] -= S[facei] & Q[nei[facei]];
-
-        const vector F
-        (
-            (1 - w[facei])*ownForce_[facei] - w[facei]*neiForce_[facei]
-        );
-
-        cellForce[own[facei]] += F;
-        cellForce[nei[facei]] -= F;
-    }
-    for (const label facei : zone_.coupled)
-    {
-        ownForce_[facei] += S[facei] & Q[own[facei]];
-    }
-    for (const label facei : zone_.ownSides)
-    {
-        ownForce_[facei] += S[facei] & Q[own[facei]];
-    }
-    for (const label facei : zone_.neiSides)
-    {
-        neiForce_[facei] -= S[facei] & Q[nei[facei]];
-    }
-
-    addCoupledForces(cellForce);
-}
-
-
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::stressFlux::stressFlux(const fluxGeometry& geometry, const bool solid)
@@ -295,8 +181,9 @@ Foam::stressFlux::stressFlux(const fluxGeometry& geometry, const bool solid)
     zone_(geometry.cellsAndFaces(solid)),
     mu_(geometry.materials().materials().size()),
     lambda_(mu_.size()),
-    stiffness_(geometry),
-    gradient_(geometry, solid),
+    links_(geometry, solid),
+    stiffness_(geometry, links_),
+    gradient_(geometry, solid, &links_),
     uf_(geometry.mesh().nFaces(), Zero),
     grad_(geometry.mesh().nCells(), Zero),
     stress_(grad_),
@@ -341,9 +228,9 @@ void Foam::stressFlux::addInsideForces
 {
     jumpForces(u);
 
-    if (geometry_.skewed())
+    if (gradient_.twoStages())
     {
-        addSkewForces(cellForce);
+        addTwoStageForces(cellForce);
     }
     else
     {
@@ -379,6 +266,19 @@ Foam::scalar Foam::stressFlux::energy(const vectorField& u)
         for (const label facei : faces)
         {
             twice += (uf_[facei] - u[nei[facei]]) & neiJump_[facei];
+        }
+    }
+
+    if (links_.twists())
+    {
+        for (const label facei : zone_.internal)
+        {
+            twice += twistMoment(facei)*gradient_.rotation()[facei];
+        }
+        for (const label facei : zone_.coupled)
+        {
+            // The other half belongs to the other side
+            twice += 0.5*twistMoment(facei)*gradient_.rotation()[facei];
         }
     }
 

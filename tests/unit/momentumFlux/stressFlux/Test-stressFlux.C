@@ -386,7 +386,7 @@ static void testMesh
     const bool spectrum = true
 )
 {
-    for (const char* stiffness : {"compact", "lockingFree"})
+    for (const char* stiffness : {"compact", "lockingFree", "linked"})
     {
         for (const char* nu : {"0.3", "0.49"})
         {
