@@ -19,9 +19,8 @@ License
 
 \*---------------------------------------------------------------------------*/
 
-#include "testMesh.H"
+#include "momentumFlux/solidOperator.H"
 #include "testing.H"
-#include "unifiedOperator.H"
 #include "SquareMatrix.H"
 #include "OSspecific.H"
 
@@ -119,114 +118,6 @@ static label nBelow
 
 
 // * * * * * * * * * * * * * * * * Operator  * * * * * * * * * * * * * * * * //
-
-//- The solid's operator, cells and free faces, on one mesh of one solid
-class solidOperator
-{
-    materialZones materials_;
-    autoPtr<volVectorField> U_;
-    autoPtr<volScalarField> p_;
-    momentumFlux flux_;
-    unifiedOperator op_;
-    const vectorField fluidSide_;
-
-public:
-
-    const label nD;
-    const tensor G;
-    const scalar mu;
-    const scalar lambda;
-
-    explicit solidOperator(const fvMesh& mesh)
-    :
-        materials_(mesh),
-        U_
-        (
-            velocity
-            (
-                mesh,
-                "\".*\" { type solidTraction; traction constant (0 0 0);"
-                "pressure constant 0; }"
-            )
-        ),
-        p_(pressure(mesh, "\".*\" { type calculated; value uniform 0; }")),
-        flux_(materials_, U_(), p_()),
-        op_(flux_),
-        fluidSide_(flux_.geometry().unknownFaces().size(), Zero),
-        nD(mesh.nSolutionD()),
-        G
-        (
-            nD == 3
-          ? tensor(0.3, -0.7, 0.2, 0.5, -0.4, 0.9, -0.6, 0.1, 0.8)
-          : tensor(0.3, -0.7, 0, 0.5, -0.4, 0, 0, 0, 0)
-        ),
-        mu(materials_[0].shear()),
-        lambda(materials_[0].lambda())
-    {
-        flux_.setBetaDt(1);
-    }
-
-    const fluxGeometry& geometry() const
-    {
-        return flux_.geometry();
-    }
-
-    unifiedVector zero() const
-    {
-        return unifiedVector(geometry().mesh().nCells(), fluidSide_.size());
-    }
-
-    unifiedVector apply(const unifiedVector& v)
-    {
-        unifiedVector y(zero());
-        op_.applySolid(v, fluidSide_, y);
-        return y;
-    }
-
-    //- u = a + x.G in cells and on faces
-    unifiedVector linear(const vector& a, const tensor& grad) const
-    {
-        const fvMesh& mesh = geometry().mesh();
-        unifiedVector v(zero());
-        forAll(v.U, celli)
-        {
-            v.U[celli] = a + (mesh.cellCentres()[celli] & grad);
-        }
-        forAll(v.Uf, i)
-        {
-            const label facei = geometry().unknownFaces()[i];
-            v.Uf[i] = a + (mesh.faceCentres()[facei] & grad);
-        }
-        return v;
-    }
-
-    // Degrees of freedom as one list
-
-        label size() const
-        {
-            return nD*(geometry().mesh().nCells() + fluidSide_.size());
-        }
-
-        scalar& at(unifiedVector& v, const label i) const
-        {
-            const label nCells = v.U.size();
-            return
-                i/nD < nCells
-              ? v.U[i/nD][i % nD]
-              : v.Uf[i/nD - nCells][i % nD];
-        }
-
-        unifiedVector randomVector(testing::random& next) const
-        {
-            unifiedVector v(zero());
-            for (label i = 0; i < size(); ++i)
-            {
-                at(v, i) = next();
-            }
-            return v;
-        }
-};
-
 
 static scalar maxMag(const unifiedVector& v)
 {
