@@ -21,6 +21,7 @@ License
 
 #include "momentumFlux.H"
 #include "gaussConvectionScheme.H"
+#include "solidMeshCheck.H"
 #include "solidTractionFvPatchVectorField.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -243,7 +244,9 @@ Foam::momentumFlux::momentumFlux
     vSolid_(internalCoeff_),
     ownForce_(internalCoeff_),
     neiForce_(internalCoeff_)
-{}
+{
+    solidMeshCheck(geometry_).warn();
+}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
