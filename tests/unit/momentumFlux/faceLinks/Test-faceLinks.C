@@ -350,13 +350,15 @@ static void testEigen()
 }
 
 
+//- Of a periodic mesh the work is compared with the elastic energy only
 static void testMesh
 (
     const Time& runTime,
     const polyhedra& cells,
     const pointField& points,
     const string& nu,
-    const string& name
+    const string& name,
+    const bool periodic = false
 )
 {
     writeMaterials
@@ -372,26 +374,28 @@ static void testMesh
             runTime,
             cells,
             points,
-            [](const point&) { return word("solid"); }
+            [](const point&) { return word("solid"); },
+            periodic
         )
     );
     solidOperator K(mesh());
-    const energyForm energy(K);
     testing::random next(11);
 
     for (label pass = 0; pass < 3; ++pass)
     {
         const unifiedVector v(K.randomVector(next));
         const unifiedVector y(K.apply(v));
-        const scalar expected = energy(v);
         const scalar work = 0.5*(sumProd(v.U, y.U) + sumProd(v.Uf, y.Uf));
 
-        checkSmall
-        (
-            mag(work/expected - 1),
-            1e-12,
-            name + ", nu " + nu + ": forces are those of the energy"
-        );
+        if (!periodic)
+        {
+            checkSmall
+            (
+                mag(work/energyForm(K)(v) - 1),
+                1e-12,
+                name + ", nu " + nu + ": forces are those of the energy"
+            );
+        }
 
         vectorField Df(mesh->nFaces(), Zero);
         forAll(v.Uf, i)
@@ -400,7 +404,7 @@ static void testMesh
         }
         checkSmall
         (
-            mag(K.flux().elasticEnergy(v.U, Df)/expected - 1),
+            mag(K.flux().elasticEnergy(v.U, Df)/work - 1),
             1e-12,
             name + ", nu " + nu + ": elastic energy"
         );
@@ -449,6 +453,8 @@ static void testEnergies(const Time& runTime)
             Zero,
             "3-D boxes, short along x"
         );
+        const polyhedra cells(hexes(uniform(0, 4, 4), y, uniform(0, 2, 2)));
+        testMesh(runTime, cells, cells.points, nu, "3-D periodic", true);
     }
 }
 
