@@ -459,6 +459,67 @@ static void testEnergies(const Time& runTime)
 }
 
 
+//- Two solids, each with faces of its own kind, bonded: still one energy
+static void testTwoSolids(const Time& runTime)
+{
+    const polyhedra cells
+    (
+        hexes(uniform(0, 4, 4), uniform(0, 1, 4), uniform(0, 1.5, 3))
+    );
+    const autoPtr<fvMesh> mesh
+    (
+        boxMesh
+        (
+            runTime,
+            cells,
+            cells.points,
+            [](const point& c) { return word(c.y() < 0.5 ? "one" : "two"); }
+        )
+    );
+
+    for (const char* other : {"compact", "lockingFree", "linked"})
+    {
+        writeMaterials
+        (
+            runTime,
+            string("one { type linearElastic; cellZones (one); rho 1e-30;")
+          + "E 2.5; nu 0.3; }"
+            "two { type linearElastic; cellZones (two); rho 1e-30;"
+            "E 0.5; nu 0.45; faceStiffness " + other + "; }"
+        );
+        solidOperator K(mesh());
+        testing::random next(5);
+        const unifiedVector a(K.randomVector(next));
+        const unifiedVector b(K.randomVector(next));
+        const unifiedVector Ka(K.apply(a));
+        const unifiedVector Kb(K.apply(b));
+        const auto dot = [](const unifiedVector& x, const unifiedVector& y)
+        {
+            return sumProd(x.U, y.U) + sumProd(x.Uf, y.Uf);
+        };
+
+        checkSmall
+        (
+            mag(dot(a, Kb) - dot(b, Ka))/dot(a, Ka),
+            1e-13,
+            string("linked beside ") + other + ": symmetric"
+        );
+
+        vectorField Df(mesh->nFaces(), Zero);
+        forAll(a.Uf, i)
+        {
+            Df[K.geometry().unknownFaces()[i]] = a.Uf[i];
+        }
+        checkSmall
+        (
+            mag(2*K.flux().elasticEnergy(a.U, Df)/dot(a, Ka) - 1),
+            1e-12,
+            string("linked beside ") + other + ": elastic energy"
+        );
+    }
+}
+
+
 //- Which meshes have links
 static void testActive(const Time& runTime)
 {
@@ -483,6 +544,12 @@ static void testActive(const Time& runTime)
         );
         return faceLinks(K.geometry(), true).active();
     };
+
+    writeMaterials
+    (
+        runTime,
+        "solid { type linearElastic; cellZones (solid); rho 1; E 1; nu 0; }"
+    );
 
     const scalarList thin(uniform(0, 1, 1));
     const scalarList two(uniform(0, 2, 2));
@@ -509,6 +576,7 @@ int main()
 
     testEigen();
     testEnergies(runTime());
+    testTwoSolids(runTime());
     testActive(runTime());
 
     return close();
