@@ -30,8 +30,8 @@ Description
 Usage
     Test-bending [-full] [-stiffness <faceStiffness>]
 
-    With -full also the finest meshes. With another face stiffness the tables are
-    printed and nothing is judged.
+    With -full also the finest meshes. With another face stiffness the tables
+    are printed and nothing is judged.
 
 \*---------------------------------------------------------------------------*/
 
