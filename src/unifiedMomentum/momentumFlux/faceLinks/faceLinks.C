@@ -48,7 +48,7 @@ Foam::symmTensor Foam::faceLinks::sideLink
     tensor vectors;
     cellLengths::eigen(symm(PL & P)*h/magSqr(dx), values, vectors);
 
-    symmTensor T(Zero);
+    symmTensor Y(Zero);
     for (direction k = 0; k < vector::nComponents; ++k)
     {
         const scalar slender = min(1 - values[k], scalar(1));
@@ -56,11 +56,11 @@ Foam::symmTensor Foam::faceLinks::sideLink
         // A cell that is as long as high by round-off is not slender
         if (slender > 1e-9)
         {
-            T += slender*sqr(P & vectors.row(k));
+            Y += slender*sqr(P & vectors.row(k));
         }
     }
 
-    return T;
+    return Y;
 }
 
 
@@ -143,7 +143,7 @@ void Foam::faceLinks::setLinks(const cellLengths& lengths)
     const labelUList& nei = mesh.faceNeighbour();
     const scalarField& w = geometry_.w();
 
-    symmTensorField T(mesh.nFaces(), Zero);
+    symmTensorField Y(mesh.nFaces(), Zero);
 
     for
     (
@@ -155,7 +155,7 @@ void Foam::faceLinks::setLinks(const cellLengths& lengths)
         {
             if (linked(own[facei]))
             {
-                T[facei] = sideLink
+                Y[facei] = sideLink
                 (
                     lengths,
                     own[facei],
@@ -171,7 +171,7 @@ void Foam::faceLinks::setLinks(const cellLengths& lengths)
 
     const auto link = [&](const label facei, const symmTensor& beyond)
     {
-        k_[facei] = 0.5*w[facei]*(1 - w[facei])*(T[facei] + beyond);
+        k_[facei] = 0.5*w[facei]*(1 - w[facei])*(Y[facei] + beyond);
     };
 
     for (const label facei : zone_.internal)
@@ -195,7 +195,7 @@ void Foam::faceLinks::setLinks(const cellLengths& lengths)
 
     if (geometry_.anyCoupled())
     {
-        const symmTensorField beyond(geometry_.neighbourSides(T));
+        const symmTensorField beyond(geometry_.neighbourSides(Y));
 
         for (const label facei : zone_.coupled)
         {
@@ -203,11 +203,11 @@ void Foam::faceLinks::setLinks(const cellLengths& lengths)
         }
     }
 
-    // w = 1/2, T of the mirror image the same, (G_N - G_P).d twice that of
+    // w = 1/2, Y of the mirror image the same, (G_N - G_P).d twice that of
     // the half distance d and the tangential part of -2 G_P
     for (const label facei : zone_.symmetry)
     {
-        k_[facei] = T[facei];
+        k_[facei] = Y[facei];
     }
 
     active_ = active_ || gMax(mag(k_)()) > 0;
