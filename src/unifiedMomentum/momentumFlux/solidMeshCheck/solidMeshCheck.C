@@ -208,7 +208,7 @@ Foam::solidMeshCheck::solidMeshCheck(const fluxGeometry& geometry)
     )
 {
     // Nothing bends in one dimension
-    if (geometry_.mesh().nSolutionD() > 1)
+    if (nCells_ > 0 && geometry_.mesh().nSolutionD() > 1)
     {
         checkCells();
         checkFaces();
