@@ -66,11 +66,17 @@ Foam::materials::linearElastic::linearElastic
     const kinematicsType kinematics
 )
 :
-    material(name, dict, LOCKING_FREE, {"E", "nu"}),
+    material(name, dict, LINKED, {"E", "nu"}),
     kinematics_(kinematics),
     E_(readAbove(dict, "E", 0)),
     nu_(readPoisson(dict))
-{}
+{
+    if (faceStiffness() == LOCKING_FREE)
+    {
+        Info<< "Material " << name << ": faceStiffness lockingFree is"
+            << " deprecated, the default is linked" << endl;
+    }
+}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //

@@ -41,6 +41,7 @@ const Foam::Enum<Foam::material::faceStiffnessType>
 Foam::material::faceStiffnessNames
 ({
     { faceStiffnessType::COMPACT, "compact" },
+    { faceStiffnessType::LINKED, "linked" },
     { faceStiffnessType::LOCKING_FREE, "lockingFree" },
 });
 

@@ -46,7 +46,16 @@ Foam::materials::newtonianFluid::newtonianFluid
     material(name, dict, COMPACT, {"mu"}),
     // an inviscid fluid is valid
     mu_(readAbove(dict, "mu", -VSMALL))
-{}
+{
+    if (faceStiffness() == LINKED)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'faceStiffness' of material " << name << " is "
+            << faceStiffnessNames[LINKED] << nl
+            << "    Valid choices: compact (a fluid does not bend), lockingFree"
+            << exit(FatalIOError);
+    }
+}
 
 
 // ************************************************************************* //

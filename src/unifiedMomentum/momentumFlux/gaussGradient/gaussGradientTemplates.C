@@ -64,19 +64,136 @@ void Foam::gaussGradient<Type>::sumFaces
 }
 
 
+template<class Type>
+void Foam::gaussGradient<Type>::link
+(
+    const label facei,
+    const tensor& dG,
+    vector& uf
+)
+{
+    uf += links_->value(facei, dG);
+
+    if (links_->twists())
+    {
+        rotation_[facei] = links_->rotation(facei, dG);
+    }
+}
+
+
+template<class Type>
+void Foam::gaussGradient<Type>::correct
+(
+    const label facei,
+    const GradType& GP,
+    const GradType& GN,
+    Type& uf
+)
+{
+    if (geometry_.skewed())
+    {
+        const scalar w = geometry_.w()[facei];
+        const GradType Gf(w*GP + (1 - w)*GN);
+
+        uf += geometry_.skew()[facei] & Gf;
+
+        if (geometry_.warped())
+        {
+            faceGrad_[facei] = Gf;
+        }
+    }
+
+    if (links_)
+    {
+        link(facei, GN - GP, uf);
+    }
+}
+
+
+template<class Type>
+void Foam::gaussGradient<Type>::correctFaceValues(Field<Type>& uf)
+{
+    const fvMesh& mesh = geometry_.mesh();
+    const labelUList& own = mesh.faceOwner();
+    const labelUList& nei = mesh.faceNeighbour();
+
+    sumFaces(uf, cellGrad_);
+
+    for (const label celli : zone_.cells)
+    {
+        cellGrad_[celli] /= geometry_.V()[celli];
+    }
+
+    // Without skew faces B is a unit tensor
+    if (geometry_.skewed())
+    {
+        for (const label celli : zone_.cells)
+        {
+            const GradType G(cellGrad_[celli]);
+            cellGrad_[celli] = geometry_.invB()[celli] & G;
+        }
+    }
+
+    for (const label facei : zone_.internal)
+    {
+        correct
+        (
+            facei,
+            cellGrad_[own[facei]],
+            cellGrad_[nei[facei]],
+            uf[facei]
+        );
+    }
+
+    for (const label facei : zone_.symmetry)
+    {
+        const GradType& G = cellGrad_[own[facei]];
+
+        if (geometry_.skewed())
+        {
+            uf[facei] += mirrored(facei, geometry_.skew()[facei] & G);
+        }
+        if (links_)
+        {
+            linkMirrored(facei, G, uf[facei]);
+        }
+    }
+
+    if (geometry_.anyCoupled())
+    {
+        const Field<GradType> GN(geometry_.neighbourValues(cellGrad_));
+
+        for (const label facei : zone_.coupled)
+        {
+            correct
+            (
+                facei,
+                cellGrad_[own[facei]],
+                GN[facei - mesh.nInternalFaces()],
+                uf[facei]
+            );
+        }
+    }
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 template<class Type>
 Foam::gaussGradient<Type>::gaussGradient
 (
     const fluxGeometry& geometry,
-    const bool solid
+    const bool solid,
+    const faceLinks* links
 )
 :
     geometry_(geometry),
     zone_(geometry.cellsAndFaces(solid)),
-    cellGrad_(geometry.skewed() ? geometry.mesh().nCells() : 0, Zero),
-    faceGrad_(geometry.warped() ? geometry.mesh().nFaces() : 0, Zero)
+    links_(links && links->active() ? links : nullptr),
+    twoStages_(geometry.skewed() || links_),
+    cellGrad_(twoStages_ ? geometry.mesh().nCells() : 0, Zero),
+    faceGrad_(geometry.warped() ? geometry.mesh().nFaces() : 0, Zero),
+    rotation_(links_ && links_->twists() ? geometry.mesh().nFaces() : 0, 0)
 {}
 
 
@@ -117,62 +234,9 @@ void Foam::gaussGradient<Type>::faceValues
         uf[facei] = mirrored(facei, u[own[facei]]);
     }
 
-    if (!geometry_.skewed())
+    if (twoStages_)
     {
-        return;
-    }
-
-    sumFaces(uf, cellGrad_);
-
-    for (const label celli : zone_.cells)
-    {
-        const GradType G(cellGrad_[celli]/geometry_.V()[celli]);
-        cellGrad_[celli] = geometry_.invB()[celli] & G;
-    }
-
-    const vectorField& s = geometry_.skew();
-    const bool keepFaceGrad = geometry_.warped();
-
-    for (const label facei : zone_.internal)
-    {
-        const GradType Gf
-        (
-            w[facei]*cellGrad_[own[facei]]
-          + (1 - w[facei])*cellGrad_[nei[facei]]
-        );
-
-        uf[facei] += s[facei] & Gf;
-
-        if (keepFaceGrad)
-        {
-            faceGrad_[facei] = Gf;
-        }
-    }
-
-    for (const label facei : zone_.symmetry)
-    {
-        uf[facei] += mirrored(facei, s[facei] & cellGrad_[own[facei]]);
-    }
-
-    if (geometry_.anyCoupled())
-    {
-        const Field<GradType> GN(geometry_.neighbourValues(cellGrad_));
-
-        for (const label facei : zone_.coupled)
-        {
-            const GradType Gf
-            (
-                w[facei]*cellGrad_[own[facei]]
-              + (1 - w[facei])*GN[facei - nInternal]
-            );
-
-            uf[facei] += s[facei] & Gf;
-
-            if (keepFaceGrad)
-            {
-                faceGrad_[facei] = Gf;
-            }
-        }
+        correctFaceValues(uf);
     }
 }
 

@@ -22,6 +22,7 @@ License
 #include "momentumFlux.H"
 #include "patchConditions.H"
 #include "gaussConvectionScheme.H"
+#include "solidMeshCheck.H"
 #include "solidTractionFvPatchVectorField.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -242,7 +243,9 @@ Foam::momentumFlux::momentumFlux
     vSolid_(convectionCorrection_),
     ownForce_(convectionCorrection_),
     neiForce_(convectionCorrection_)
-{}
+{
+    solidMeshCheck(geometry_).warn();
+}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -681,7 +684,7 @@ void Foam::momentumFlux::stressField
     vectorField R(z.Uf.size());
     forces(z, &offset, cellForce, R);
 
-    if (geometry_.skewed())
+    if (fluidStress_.spoilsGradients() || solidStress_.spoilsGradients())
     {
         // The forces took the storage of the gradients
         const vectorField v(z.U + offset.cells);

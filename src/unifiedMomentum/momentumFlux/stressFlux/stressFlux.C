@@ -21,24 +21,6 @@ License
 
 #include "stressFlux.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace Foam
-{
-    //- (a_t I + a_n nn).r
-    inline vector stiffness
-    (
-        const scalar aT,
-        const scalar aN,
-        const vector& n,
-        const vector& r
-    )
-    {
-        return aT*r + (aN*(n & r))*n;
-    }
-}
-
-
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::stressFlux::jumpForces(const vectorField& u)
@@ -46,7 +28,6 @@ void Foam::stressFlux::jumpForces(const vectorField& u)
     const fvMesh& mesh = geometry_.mesh();
     const labelUList& own = mesh.faceOwner();
     const labelUList& nei = mesh.faceNeighbour();
-    const vectorField& n = geometry_.n();
     const vectorField& dOwn = geometry_.dOwn();
     const vectorField& dNei = geometry_.dNei();
     const scalarField& V = geometry_.V();
@@ -63,8 +44,7 @@ void Foam::stressFlux::jumpForces(const vectorField& u)
         const label c = own[facei];
         const vector r(uf_[facei] - u[c] - (dOwn[facei] & grad_[c]));
 
-        ownJump_[facei] =
-            stiffness(ownT_[facei], ownN_[facei], n[facei], r);
+        ownJump_[facei] = stiffness_.own(facei, r);
         stress_[c] += dOwn[facei]*ownJump_[facei];
     };
 
@@ -73,8 +53,7 @@ void Foam::stressFlux::jumpForces(const vectorField& u)
         const label c = nei[facei];
         const vector r(uf_[facei] - u[c] - (dNei[facei] & grad_[c]));
 
-        neiJump_[facei] =
-            stiffness(neiT_[facei], neiN_[facei], n[facei], r);
+        neiJump_[facei] = stiffness_.nei(facei, r);
         stress_[c] += dNei[facei]*neiJump_[facei];
     };
 
@@ -194,120 +173,6 @@ void Foam::stressFlux::addForces(vectorField& cellForce)
 }
 
 
-void Foam::stressFlux::addSkewForces(vectorField& cellForce)
-{
-    const fvMesh& mesh = geometry_.mesh();
-    const label nInternal = mesh.nInternalFaces();
-    const labelUList& own = mesh.faceOwner();
-    const labelUList& nei = mesh.faceNeighbour();
-    const vectorField& S = mesh.faceAreas();
-    const scalarField& w = geometry_.w();
-    const vectorField& s = geometry_.skew();
-    const tensorField& W = geometry_.warp();
-    const bool warped = geometry_.warped();
-
-    for (const label facei : zone_.internal)
-    {
-        ownForce_[facei] =
-            (S[facei] & stress_[own[facei]]) + ownJump_[facei];
-        neiForce_[facei] =
-            neiJump_[facei] - (S[facei] & stress_[nei[facei]]);
-    }
-    setSideForces();
-
-    // Q: what the corrected face values ask of the uncorrected gradients.
-    // The gradients are no longer needed: their storage takes Q
-    tensorField& Q = grad_;
-
-    for (const label celli : zone_.cells)
-    {
-        Q[celli] = Zero;
-    }
-
-    for (const label facei : zone_.internal)
-    {
-        const vector R(ownForce_[facei] + neiForce_[facei]);
-        tensor q(s[facei]*R);
-
-        if (warped)
-        {
-            const tensor jump(stress_[own[facei]] - stress_[nei[facei]]);
-            const tensor WT(W[facei].T());
-            q += WT & jump;
-        }
-
-        Q[own[facei]] += w[facei]*q;
-        Q[nei[facei]] += (1 - w[facei])*q;
-    }
-
-    if (geometry_.anyCoupled())
-    {
-        const vectorField beyond(geometry_.neighbourSides(ownForce_));
-        const tensorField stressN(geometry_.neighbourValues(stress_));
-
-        for (const label facei : zone_.coupled)
-        {
-            const vector R(ownForce_[facei] + beyond[facei - nInternal]);
-            tensor q(s[facei]*R);
-
-            if (warped)
-            {
-                const tensor jump
-                (
-                    stress_[own[facei]] - stressN[facei - nInternal]
-                );
-                const tensor WT(W[facei].T());
-                q += WT & jump;
-            }
-
-            Q[own[facei]] += w[facei]*q;
-        }
-    }
-
-    for (const label facei : zone_.symmetry)
-    {
-        Q[own[facei]] +=
-            s[facei]*geometry_.tangential(facei, ownForce_[facei]);
-    }
-
-    // Z = B^-T Q
-    for (const label celli : zone_.cells)
-    {
-        const tensor BT(geometry_.invB()[celli].T());
-        const tensor q(Q[celli]/geometry_.V()[celli]);
-        Q[celli] = BT & q;
-    }
-
-    for (const label facei : zone_.internal)
-    {
-        ownForce_[facei] += S[facei] & Q[own[facei]];
-        neiForce_[facei] -= S[facei] & Q[nei[facei]];
-
-        const vector F
-        (
-            (1 - w[facei])*ownForce_[facei] - w[facei]*neiForce_[facei]
-        );
-
-        cellForce[own[facei]] += F;
-        cellForce[nei[facei]] -= F;
-    }
-    for (const label facei : zone_.coupled)
-    {
-        ownForce_[facei] += S[facei] & Q[own[facei]];
-    }
-    for (const label facei : zone_.ownSides)
-    {
-        ownForce_[facei] += S[facei] & Q[own[facei]];
-    }
-    for (const label facei : zone_.neiSides)
-    {
-        neiForce_[facei] -= S[facei] & Q[nei[facei]];
-    }
-
-    addCoupledForces(cellForce);
-}
-
-
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::stressFlux::stressFlux(const fluxGeometry& geometry, const bool solid)
@@ -316,11 +181,9 @@ Foam::stressFlux::stressFlux(const fluxGeometry& geometry, const bool solid)
     zone_(geometry.cellsAndFaces(solid)),
     mu_(geometry.materials().materials().size()),
     lambda_(mu_.size()),
-    ownT_(geometry.mesh().nFaces(), 0),
-    ownN_(ownT_),
-    neiT_(ownT_),
-    neiN_(ownT_),
-    gradient_(geometry, solid),
+    links_(geometry, solid),
+    stiffness_(geometry, links_),
+    gradient_(geometry, solid, &links_),
     uf_(geometry.mesh().nFaces(), Zero),
     grad_(geometry.mesh().nCells(), Zero),
     stress_(grad_),
@@ -337,11 +200,6 @@ Foam::stressFlux::stressFlux(const fluxGeometry& geometry, const bool solid)
 
 void Foam::stressFlux::setFactor(const scalar factor)
 {
-    const fvMesh& mesh = geometry_.mesh();
-    const labelUList& own = mesh.faceOwner();
-    const labelUList& nei = mesh.faceNeighbour();
-    const scalarField& hOwn = geometry_.hOwn();
-    const scalarField& hNei = geometry_.hNei();
     const materialZones& materials = geometry_.materials();
 
     forAll(mu_, materiali)
@@ -350,66 +208,7 @@ void Foam::stressFlux::setFactor(const scalar factor)
         lambda_[materiali] = factor*materials.materials()[materiali].lambda();
     }
 
-    scalarField hMin(mesh.nCells(), GREAT);
-
-    forAll(mesh.faces(), facei)
-    {
-        if (geometry_.kind(facei) != fluxGeometry::IGNORED)
-        {
-            hMin[own[facei]] = min(hMin[own[facei]], hOwn[facei]);
-            if (mesh.isInternalFace(facei))
-            {
-                hMin[nei[facei]] = min(hMin[nei[facei]], hNei[facei]);
-            }
-        }
-    }
-
-    // Softer jumps along the long side of a slender cell let it bend; the
-    // floor keeps its high modes from going soft
-    const scalar floor = 0.25;
-
-    const auto set = [&]
-    (
-        const label facei,
-        const label celli,
-        const scalar h,
-        scalar& aT,
-        scalar& aN
-    )
-    {
-        const label materiali = materials.materialIndex(celli);
-        const scalar S = mag(mesh.faceAreas()[facei]);
-
-        if (materials[celli].faceStiffness() == material::COMPACT)
-        {
-            aT = mu_[materiali]*S/h;
-            aN = (mu_[materiali] + lambda_[materiali])*S/h;
-        }
-        else
-        {
-            aT = max(sqr(hMin[celli]/h), floor)*mu_[materiali]*S/h;
-            aN = 0;
-        }
-    };
-
-    forAll(mesh.faces(), facei)
-    {
-        if (geometry_.kind(facei) != fluxGeometry::IGNORED)
-        {
-            set(facei, own[facei], hOwn[facei], ownT_[facei], ownN_[facei]);
-            if (mesh.isInternalFace(facei))
-            {
-                set
-                (
-                    facei,
-                    nei[facei],
-                    hNei[facei],
-                    neiT_[facei],
-                    neiN_[facei]
-                );
-            }
-        }
-    }
+    stiffness_.set(mu_, lambda_);
 }
 
 
@@ -429,9 +228,9 @@ void Foam::stressFlux::addInsideForces
 {
     jumpForces(u);
 
-    if (geometry_.skewed())
+    if (gradient_.twoStages())
     {
-        addSkewForces(cellForce);
+        addTwoStageForces(cellForce);
     }
     else
     {
@@ -467,6 +266,19 @@ Foam::scalar Foam::stressFlux::energy(const vectorField& u)
         for (const label facei : faces)
         {
             twice += (uf_[facei] - u[nei[facei]]) & neiJump_[facei];
+        }
+    }
+
+    if (links_.twists())
+    {
+        for (const label facei : zone_.internal)
+        {
+            twice += twistMoment(facei)*gradient_.rotation()[facei];
+        }
+        for (const label facei : zone_.coupled)
+        {
+            // The other half belongs to the other side
+            twice += 0.5*twistMoment(facei)*gradient_.rotation()[facei];
         }
     }
 
@@ -513,7 +325,7 @@ Foam::scalar Foam::stressFlux::sideDiffusion
        *(
             mu_[geometry_.materials().materialIndex(celli)]
            *mag(mesh.faceAreas()[facei])/h
-          + (owner ? ownT_[facei] : neiT_[facei])
+          + stiffness_.across(facei, owner)
         );
 }
 
@@ -535,7 +347,7 @@ Foam::scalar Foam::stressFlux::sideExtraNormal
        *(
             (mu_[materiali] + lambda_[materiali])
            *mag(mesh.faceAreas()[facei])/h
-          + (owner ? ownN_[facei] : neiN_[facei])
+          + stiffness_.extraNormal(facei, owner)
         );
 }
 

@@ -110,23 +110,23 @@ public:
         others_ = dict.getOrDefault("othersWait", false);
     }
 
-    virtual bool read(const dictionary& dict)
+    virtual bool read(const dictionary& dict) override
     {
         readEntries(dict);
         return pass("read");
     }
 
-    virtual bool execute()
+    virtual bool execute() override
     {
         return pass("execute");
     }
 
-    virtual bool write()
+    virtual bool write() override
     {
         return pass("write");
     }
 
-    virtual bool end()
+    virtual bool end() override
     {
         return pass("end");
     }

@@ -111,8 +111,8 @@ static void testSolid()
     checkNear(m->lambda(), 1.5, 1e-14, "lambda = E nu/((1 + nu)(1 - 2 nu))");
     check
     (
-        m->faceStiffness() == material::LOCKING_FREE,
-        "faces of a solid are lockingFree unless told"
+        m->faceStiffness() == material::LINKED,
+        "faces of a solid are linked unless told"
     );
     check
     (
@@ -182,6 +182,8 @@ static void testErrors()
     refused(solid + "rho 1; E 1; nu 0.5;", "'nu'");
     refused(solid + "rho 1; E 1; nu -1;", "'nu'");
     refused(solid + "rho 1; E 1; nu 0; faceStiffness soft;", "lockingFree");
+    refused(solid + "rho 1; E 1; nu 0; faceStiffness soft;", "linked");
+    refused(fluid + "rho 1; mu 1; faceStiffness linked;", "does not bend");
 }
 
 

@@ -942,7 +942,7 @@ static void testCyclic(const Time& runTime, const string& stiffness)
 static void writeCase(const word& name, const scalar start)
 {
     const autoPtr<Time> runTime(caseTime("run", name));
-    writeMaterials(runTime(), materials("lockingFree", true));
+    writeMaterials(runTime(), materials("linked", true));
 
     autoPtr<fvMesh> mesh(periodicMesh(runTime(), start));
     mesh->setInstance(runTime->constant(), IOobject::AUTO_WRITE);
@@ -1037,7 +1037,7 @@ int main(int argc, char* argv[])
         testClosedForm(runTime(), nD);
         testDivergence(runTime(), nD);
 
-        for (const char* stiffness : {"compact", "lockingFree"})
+        for (const char* stiffness : {"compact", "lockingFree", "linked"})
         {
             testConservation(runTime(), nD, stiffness);
             testSymmetryPlane(runTime(), nD, stiffness);
@@ -1045,7 +1045,7 @@ int main(int argc, char* argv[])
         }
     }
     testCyclic(runTime(), "compact");
-    testCyclic(runTime(), "lockingFree");
+    testCyclic(runTime(), "linked");
 
     writeCase("cyclicInFluid", 0);
     writeCase("cyclicOnInterface", 0.25);

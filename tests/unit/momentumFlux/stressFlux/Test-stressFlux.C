@@ -19,9 +19,8 @@ License
 
 \*---------------------------------------------------------------------------*/
 
-#include "testMesh.H"
+#include "momentumFlux/solidOperator.H"
 #include "testing.H"
-#include "unifiedOperator.H"
 #include "SquareMatrix.H"
 #include "OSspecific.H"
 
@@ -120,114 +119,6 @@ static label nBelow
 
 // * * * * * * * * * * * * * * * * Operator  * * * * * * * * * * * * * * * * //
 
-//- The solid's operator, cells and free faces, on one mesh of one solid
-class solidOperator
-{
-    materialZones materials_;
-    autoPtr<volVectorField> U_;
-    autoPtr<volScalarField> p_;
-    momentumFlux flux_;
-    unifiedOperator op_;
-    const vectorField fluidSide_;
-
-public:
-
-    const label nD;
-    const tensor G;
-    const scalar mu;
-    const scalar lambda;
-
-    explicit solidOperator(const fvMesh& mesh)
-    :
-        materials_(mesh),
-        U_
-        (
-            velocity
-            (
-                mesh,
-                "\".*\" { type solidTraction; traction constant (0 0 0);"
-                "pressure constant 0; }"
-            )
-        ),
-        p_(pressure(mesh, "\".*\" { type calculated; value uniform 0; }")),
-        flux_(materials_, U_(), p_()),
-        op_(flux_),
-        fluidSide_(flux_.geometry().unknownFaces().size(), Zero),
-        nD(mesh.nSolutionD()),
-        G
-        (
-            nD == 3
-          ? tensor(0.3, -0.7, 0.2, 0.5, -0.4, 0.9, -0.6, 0.1, 0.8)
-          : tensor(0.3, -0.7, 0, 0.5, -0.4, 0, 0, 0, 0)
-        ),
-        mu(materials_[0].shear()),
-        lambda(materials_[0].lambda())
-    {
-        flux_.setBetaDt(1);
-    }
-
-    const fluxGeometry& geometry() const
-    {
-        return flux_.geometry();
-    }
-
-    unifiedVector zero() const
-    {
-        return unifiedVector(geometry().mesh().nCells(), fluidSide_.size());
-    }
-
-    unifiedVector apply(const unifiedVector& v)
-    {
-        unifiedVector y(zero());
-        op_.applySolid(v, fluidSide_, y);
-        return y;
-    }
-
-    //- u = a + x.G in cells and on faces
-    unifiedVector linear(const vector& a, const tensor& grad) const
-    {
-        const fvMesh& mesh = geometry().mesh();
-        unifiedVector v(zero());
-        forAll(v.U, celli)
-        {
-            v.U[celli] = a + (mesh.cellCentres()[celli] & grad);
-        }
-        forAll(v.Uf, i)
-        {
-            const label facei = geometry().unknownFaces()[i];
-            v.Uf[i] = a + (mesh.faceCentres()[facei] & grad);
-        }
-        return v;
-    }
-
-    // Degrees of freedom as one list
-
-        label size() const
-        {
-            return nD*(geometry().mesh().nCells() + fluidSide_.size());
-        }
-
-        scalar& at(unifiedVector& v, const label i) const
-        {
-            const label nCells = v.U.size();
-            return
-                i/nD < nCells
-              ? v.U[i/nD][i % nD]
-              : v.Uf[i/nD - nCells][i % nD];
-        }
-
-        unifiedVector randomVector(testing::random& next) const
-        {
-            unifiedVector v(zero());
-            for (label i = 0; i < size(); ++i)
-            {
-                at(v, i) = next();
-            }
-            return v;
-        }
-};
-
-
 static scalar maxMag(const unifiedVector& v)
 {
     return max(gMax(mag(v.U)()), gMax(mag(v.Uf)()));
@@ -275,6 +166,17 @@ static void testLinear(solidOperator& K, const string& name)
 }
 
 
+static label nRigid(const solidOperator& K)
+{
+    if (K.periodic)
+    {
+        return K.nD == 2 ? 2 : 4;
+    }
+
+    return K.nD == 2 ? 3 : 6;
+}
+
+
 static void testRigid
 (
     solidOperator& K,
@@ -294,13 +196,19 @@ static void testRigid
     }
     for (direction d = (K.nD == 2 ? 2 : 0); d < 3; ++d)
     {
+        // A mesh that repeats along x may turn about x only
+        if (K.periodic && d > 0)
+        {
+            continue;
+        }
+
         vector axis(Zero);
         axis[d] = 1;
         error = max(error, maxMag(K.apply(K.linear(Zero, *axis))));
         ++n;
     }
 
-    check(n == (K.nD == 2 ? 3 : 6), name + ": number of rigid motions");
+    check(n == nRigid(K), name + ": number of rigid motions");
     checkSmall(error/scale, 1e-12, name + ": a rigid motion gives no force");
 }
 
@@ -347,7 +255,7 @@ static void testSpectrum(solidOperator& K, const string& name)
     check
     (
         nBelow(diag, off, 1e-12*maxA) == nZero
-     && nZero == (K.nD == 2 ? 3 : 6),
+     && nZero == nRigid(K),
         name + ": the rigid motions are the only zero modes, found "
       + Foam::name(nZero)
     );
@@ -386,7 +294,7 @@ static void testMesh
     const bool spectrum = true
 )
 {
-    for (const char* stiffness : {"compact", "lockingFree"})
+    for (const char* stiffness : {"compact", "lockingFree", "linked"})
     {
         for (const char* nu : {"0.3", "0.49"})
         {
@@ -707,6 +615,48 @@ static void testBoxes(const Time& runTime)
 }
 
 
+//- Cyclic faces that cut slender cells from each other
+static void testCyclic(const Time& runTime)
+{
+    const scalarList x(uniform(0, 1, 4));
+    const scalarList y(uniform(0, 0.3, 3));
+    const scalarList thin(uniform(0, 0.4, 1));
+    const scalarList z(uniform(0, 0.5, 2));
+    const vector amount(0.05, 0.02, 0);
+    const planes flat
+    ({
+        scalarList(), scalarList({0, 0.3}), scalarList({0, 0.4, 0.5})
+    });
+
+    const auto test = [&]
+    (
+        const polyhedra& cells,
+        const vector& move,
+        const string& name,
+        const bool skewed
+    )
+    {
+        const autoPtr<fvMesh> mesh
+        (
+            boxMesh
+            (
+                runTime,
+                cells,
+                perturbed(cells.points, move, flat),
+                [](const point&) { return word("solid"); },
+                true
+            )
+        );
+        testMesh(mesh(), name, skewed, false);
+    };
+
+    test(hexes(x, y, thin), Zero, "2-D cyclic", false);
+    test(hexes(x, y, thin), amount, "2-D cyclic, perturbed", true);
+    test(hexes(x, y, z), Zero, "3-D cyclic", false);
+    test(hexes(x, y, z), amount, "3-D cyclic, perturbed", true);
+}
+
+
 //- Tetrahedra that Allrun turns into polyhedra
 static void writeTetrahedra()
 {
@@ -784,6 +734,7 @@ int main(int argc, char* argv[])
     testSingleCell(runTime());
     testClosedForms(runTime());
     testBoxes(runTime());
+    testCyclic(runTime());
     testDual();
 
     return close();

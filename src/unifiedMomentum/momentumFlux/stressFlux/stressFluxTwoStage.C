@@ -1,0 +1,216 @@
+/*---------------------------------------------------------------------------*\
+  umfsiFoam: fluid-structure interaction with one momentum equation
+-------------------------------------------------------------------------------
+License
+    This file is part of umfsiFoam.
+
+    umfsiFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by
+    the Free Software Foundation, either version 3 of the License, or
+    (at your option) any later version.
+
+    umfsiFoam is distributed in the hope that it will be useful, but WITHOUT
+    ANY WARRANTY; without even the implied warranty of MERCHANTABILITY or
+    FITNESS FOR A PARTICULAR PURPOSE.  See the GNU General Public License
+    for more details.
+
+    You should have received a copy of the GNU General Public License
+    along with umfsiFoam.  If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "stressFlux.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::scalar Foam::stressFlux::twistMoment(const label facei) const
+{
+    if (!links_.twists())
+    {
+        return 0;
+    }
+
+    const label celli = geometry_.mesh().faceOwner()[facei];
+
+    return
+        mu_[geometry_.materials().materialIndex(celli)]
+       *links_.twist(facei)*gradient_.rotation()[facei];
+}
+
+
+Foam::tensor Foam::stressFlux::skewAdjoint
+(
+    const label facei,
+    const vector& R,
+    const tensor& ownStress,
+    const tensor& neiStress
+) const
+{
+    tensor q(geometry_.skew()[facei]*R);
+
+    if (geometry_.warped())
+    {
+        const tensor jump(ownStress - neiStress);
+        const tensor WT(geometry_.warp()[facei].T());
+        q += WT & jump;
+    }
+
+    return q;
+}
+
+
+void Foam::stressFlux::setAdjoint()
+{
+    const fvMesh& mesh = geometry_.mesh();
+    const label nInternal = mesh.nInternalFaces();
+    const labelUList& own = mesh.faceOwner();
+    const labelUList& nei = mesh.faceNeighbour();
+    const scalarField& w = geometry_.w();
+    const bool skewed = geometry_.skewed();
+    const bool linked = links_.active();
+
+    // The gradients are no longer needed: their storage takes Q
+    tensorField& Q = grad_;
+
+    for (const label celli : zone_.cells)
+    {
+        Q[celli] = Zero;
+    }
+
+    for (const label facei : zone_.internal)
+    {
+        const label P = own[facei];
+        const label N = nei[facei];
+        const vector R(ownForce_[facei] + neiForce_[facei]);
+
+        if (skewed)
+        {
+            const tensor q(skewAdjoint(facei, R, stress_[P], stress_[N]));
+            Q[P] += w[facei]*q;
+            Q[N] += (1 - w[facei])*q;
+        }
+        if (linked)
+        {
+            const tensor q(links_.adjoint(facei, R, twistMoment(facei)));
+            Q[P] -= q;
+            Q[N] += q;
+        }
+    }
+
+    if (geometry_.anyCoupled())
+    {
+        const vectorField beyond(geometry_.neighbourSides(ownForce_));
+        tensorField stressN;
+
+        if (skewed)
+        {
+            stressN = geometry_.neighbourValues(stress_);
+        }
+
+        for (const label facei : zone_.coupled)
+        {
+            const label P = own[facei];
+            const vector R(ownForce_[facei] + beyond[facei - nInternal]);
+
+            if (skewed)
+            {
+                Q[P] +=
+                    w[facei]
+                   *skewAdjoint
+                    (
+                        facei,
+                        R,
+                        stress_[P],
+                        stressN[facei - nInternal]
+                    );
+            }
+            if (linked)
+            {
+                Q[P] -= links_.adjoint(facei, R, twistMoment(facei));
+            }
+        }
+    }
+
+    for (const label facei : zone_.symmetry)
+    {
+        const vector R(geometry_.tangential(facei, ownForce_[facei]));
+
+        if (skewed)
+        {
+            Q[own[facei]] += geometry_.skew()[facei]*R;
+        }
+        if (linked)
+        {
+            Q[own[facei]] -= links_.adjoint(facei, R, 0);
+        }
+    }
+
+    // Z = B^-T Q
+    for (const label celli : zone_.cells)
+    {
+        const tensor q(Q[celli]/geometry_.V()[celli]);
+
+        if (skewed)
+        {
+            const tensor BT(geometry_.invB()[celli].T());
+            Q[celli] = BT & q;
+        }
+        else
+        {
+            Q[celli] = q;
+        }
+    }
+}
+
+
+void Foam::stressFlux::addTwoStageForces(vectorField& cellForce)
+{
+    const fvMesh& mesh = geometry_.mesh();
+    const labelUList& own = mesh.faceOwner();
+    const labelUList& nei = mesh.faceNeighbour();
+    const vectorField& S = mesh.faceAreas();
+    const scalarField& w = geometry_.w();
+
+    for (const label facei : zone_.internal)
+    {
+        ownForce_[facei] =
+            (S[facei] & stress_[own[facei]]) + ownJump_[facei];
+        neiForce_[facei] =
+            neiJump_[facei] - (S[facei] & stress_[nei[facei]]);
+    }
+    setSideForces();
+    setAdjoint();
+
+    const tensorField& Z = grad_;
+
+    for (const label facei : zone_.internal)
+    {
+        ownForce_[facei] += S[facei] & Z[own[facei]];
+        neiForce_[facei] -= S[facei] & Z[nei[facei]];
+
+        const vector F
+        (
+            (1 - w[facei])*ownForce_[facei] - w[facei]*neiForce_[facei]
+        );
+
+        cellForce[own[facei]] += F;
+        cellForce[nei[facei]] -= F;
+    }
+    for (const label facei : zone_.coupled)
+    {
+        ownForce_[facei] += S[facei] & Z[own[facei]];
+    }
+    for (const label facei : zone_.ownSides)
+    {
+        ownForce_[facei] += S[facei] & Z[own[facei]];
+    }
+    for (const label facei : zone_.neiSides)
+    {
+        neiForce_[facei] -= S[facei] & Z[nei[facei]];
+    }
+
+    addCoupledForces(cellForce);
+}
+
+
+// ************************************************************************* //
