@@ -87,7 +87,6 @@ void Foam::unifiedSystem::setKnown()
 
 void Foam::unifiedSystem::freeze()
 {
-    flux_.updateBoundary(U_, p_);
     flux_.setConvection(phi_, U_);
 
     op_.source() = 0;
@@ -228,6 +227,7 @@ void Foam::unifiedSystem::predict()
     if (!haveOldOld_)
     {
         startBoundary();
+        flux_.updateBoundary(U_, p_);
         freeze();
         op_.residual(z_, known_, r_);
     }
@@ -246,11 +246,16 @@ void Foam::unifiedSystem::predict()
         start.scale(-ratio);
         start.add(1 + ratio, zOld_);
 
-        // Conditions and schemes that depend on the velocity take that of
-        // the new time, too
+        // Conditions that depend on the flow take the extrapolated one
         phi_ == (1 + ratio)*phi0 - ratio*phi00;
         unknownsToFields(start);
         startBoundary();
+        flux_.updateBoundary(U_, p_);
+
+        // What schemes and options add explicitly takes the old one: of the
+        // extrapolated one it would grow at high Courant numbers
+        unknownsToFields(zOld_);
+        correctBoundary();
         freeze();
 
         // An extrapolation over a sudden change would start further off
@@ -286,6 +291,7 @@ bool Foam::unifiedSystem::picard()
         unknownsToFields(z_);
         computeFlux(z_);
         correctBoundary();
+        flux_.updateBoundary(U_, p_);
         freeze();
         op_.residual(z_, known_, r_);
         blockValues scale;

@@ -61,7 +61,7 @@ static void expect
         {
             check
             (
-                mesh->bounds().contains(findings[i].place),
+                mesh->bounds().containsInside(findings[i].place),
                 name + ": the place is in the mesh"
             );
         }
