@@ -474,6 +474,18 @@ Foam::scalar Foam::stressFlux::energy(const vectorField& u)
 }
 
 
+Foam::symmTensor Foam::stressFlux::faceStiffness
+(
+    const label facei,
+    const bool owner
+) const
+{
+    return
+        (owner ? ownT_[facei] : neiT_[facei])*symmTensor::I
+      + (owner ? ownN_[facei] : neiN_[facei])*sqr(geometry_.n()[facei]);
+}
+
+
 Foam::scalar Foam::stressFlux::diffusion(const label facei) const
 {
     const label celli = geometry_.mesh().faceOwner()[facei];
