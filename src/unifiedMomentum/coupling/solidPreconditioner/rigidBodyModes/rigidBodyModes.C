@@ -175,9 +175,9 @@ Foam::label Foam::rigidBodyModes::nCoarsePasses() const
 {
     const bool threeD = nodes_.blockSize() == 3;
 
-    // 16 cells in an aggregate in 2-D, 64 in 3-D; more in large solids, as
-    // every process factorises the whole matrix
-    label nPasses = threeD ? 6 : 4;
+    // 8 cells in an aggregate in 2-D, 16 in 3-D; more in large solids, as every
+    // process factorises the whole matrix
+    label nPasses = threeD ? 4 : 3;
     const label maxAggregates = threeD ? 500 : 2000;
 
     label nCells = returnReduce(nodes_.nOwn(), sumOp<label>());
@@ -207,6 +207,29 @@ void Foam::rigidBodyModes::setUp()
         vectorField(faces_.weight.size(), Zero)
     );
 
+    const label maxDirect = (d == 3 ? maxDirect3D : maxDirect2D);
+
+    if
+    (
+        Pstream::parRun()
+     && returnReduce(nodes_.nOwn(), sumOp<label>()) <= maxDirect
+    )
+    {
+        // Each node an aggregate with all its motion: the whole matrix
+        Eigen::MatrixXd all(Eigen::MatrixXd::Zero(d*nodes_.nOwn(), d));
+        for (label row = 0; row < all.rows(); ++row)
+        {
+            all(row, row % d) = 1;
+        }
+
+        coarse_.reset
+        (
+            new rigidCoarseSpace(stiffness_(), all, identity(nodes_.nOwn()))
+        );
+
+        return;
+    }
+
     const Eigen::MatrixXd B(modes());
 
     own_.reset
@@ -217,7 +240,7 @@ void Foam::rigidBodyModes::setUp()
             d,
             B,
             aggregates(d == 3 ? 4 : 3),
-            d*(d == 3 ? maxDirect3D : maxDirect2D),
+            d*maxDirect,
             hard()
         )
     );
@@ -259,8 +282,10 @@ void Foam::rigidBodyModes::update()
 
     stiffness_().update(cellDiagonal, vectorField(faces_.fluidSide/betaDt));
 
-    own_().update(stiffness_().local());
-
+    if (own_.valid())
+    {
+        own_().update(stiffness_().local());
+    }
     if (coarse_.valid())
     {
         coarse_().update();
@@ -273,7 +298,11 @@ void Foam::rigidBodyModes::apply(const unifiedVector& r, unifiedVector& x)
     Eigen::VectorXd b, x1, Ax;
     stiffness_().eliminate(r, b);
 
-    if (coarse_.valid())
+    if (!own_.valid())
+    {
+        x1 = coarse_().solve(b);
+    }
+    else if (coarse_.valid())
     {
         x1 = coarse_().solve(b);
         stiffness_().multiply(x1, Ax);
