@@ -548,8 +548,10 @@ int main()
     )
     {
         testRigid(runTime(), kind);
-        testIterations(runTime(), kind, 0.3, 20);
-        testIterations(runTime(), kind, 0.49, 50);
+        // Skewness, which the matrix leaves out, is largest in tetrahedra
+        const bool skew = kind == "tetrahedra";
+        testIterations(runTime(), kind, 0.3, skew ? 100 : 18);
+        testIterations(runTime(), kind, 0.49, skew ? 110 : 40);
     }
 
     return close();

@@ -239,13 +239,18 @@ int main(int argc, char *argv[])
 
     Info<< returnReduce(mesh.nCells(), sumOp<label>()) << " cells";
 
-    const auto run = [&](solidSolver& solver, const word& preconditioner)
+    const auto run = [&]
+    (
+        solidSolver& solver,
+        const word& preconditioner,
+        const char* name
+    )
     {
         const label n =
             solve(solver, mesh, preconditioner, 1e-4, r, x);
         x.add(-1, exact);
 
-        Info<< "  " << preconditioner << ' ' << n << ' '
+        Info<< "  " << name << ' ' << n << ' '
             << Foam::sqrt(energy(op, x)/energy(op, exact)) << flush;
     };
 
@@ -253,11 +258,11 @@ int main(int argc, char *argv[])
         solidSolver solver(op, block, ownSide, neiSide);
         solver.update();
         solve(solver, mesh, "rigidBodyModes", 1e-9, r, exact);
-        run(solver, "rigidBodyModes");
+        run(solver, "rigidBodyModes", "factorised");
 
         if (!args.found("noBlocks"))
         {
-            run(solver, "componentBlocks");
+            run(solver, "componentBlocks", "componentBlocks");
         }
     }
     {
@@ -265,8 +270,7 @@ int main(int argc, char *argv[])
         rigidBodyModes::maxDirect3D = 0;
         solidSolver solver(op, block, ownSide, neiSide);
         solver.update();
-        Info<< "  multigrid:";
-        run(solver, "rigidBodyModes");
+        run(solver, "rigidBodyModes", "multigrid");
     }
 
     Info<< endl;
