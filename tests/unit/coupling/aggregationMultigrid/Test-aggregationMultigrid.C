@@ -33,6 +33,17 @@ using namespace Foam::testing;
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
+static vectorField gridPoints(const label nx, const label ny)
+{
+    vectorField points(nx*ny);
+    forAll(points, i)
+    {
+        points[i] = vector(i % nx, i/nx, 0);
+    }
+    return points;
+}
+
+
 //- A clamped strip of nx x ny nodes, one apart: springs to the eight
 //  neighbours, stiff ones along x. Its rigid motions have no force but at the
 //  clamp
@@ -115,15 +126,15 @@ struct strip
             {
                 if (i + 1 < nx)
                 {
-                    couplings.push_back({i + nx*j, i + 1 + nx*j, 1});
+                    couplings.push_back({i + nx*j, i + 1 + nx*j, 1, 1});
                 }
                 if (j + 1 < ny)
                 {
-                    couplings.push_back({i + nx*j, i + nx*(j + 1), 1});
+                    couplings.push_back({i + nx*j, i + nx*(j + 1), 1, 1});
                 }
             }
         }
-        return aggregation::pairwise(nx*ny, couplings, nPasses);
+        return aggregation::pairwise(gridPoints(nx, ny), couplings, nPasses);
     }
 };
 
@@ -173,14 +184,15 @@ static label iterations
 static void testPairwise()
 {
     // A row: groups of 2, 4, 8 neighbours
+    const vectorField points(gridPoints(16, 1));
     std::vector<aggregation::coupling> row;
     for (label i = 0; i < 15; ++i)
     {
-        row.push_back({i, i + 1, 1});
+        row.push_back({i, i + 1, 1, 1});
     }
     for (label pass = 0; pass < 4; ++pass)
     {
-        const labelList groups(aggregation::pairwise(16, row, pass));
+        const labelList groups(aggregation::pairwise(points, row, pass));
         bool right = true;
         forAll(groups, i)
         {
@@ -193,9 +205,9 @@ static void testPairwise()
     row.clear();
     for (label i = 0; i < 15; ++i)
     {
-        row.push_back({i, i + 1, i < 7 ? 1 : 0.01});
+        row.push_back({i, i + 1, 1, i < 7 ? 1 : 0.01});
     }
-    const labelList groups(aggregation::pairwise(16, row, 4));
+    const labelList groups(aggregation::pairwise(points, row, 4));
     bool apart = true;
     for (label i = 0; i < 8; ++i)
     {
@@ -215,15 +227,15 @@ static void testPairwise()
         {
             if (i < 9)
             {
-                grid.push_back({i + 10*j, i + 1 + 10*j, 1});
+                grid.push_back({i + 10*j, i + 1 + 10*j, 1, 1});
             }
             if (j < 9)
             {
-                grid.push_back({i + 10*j, i + 10*(j + 1), 100});
+                grid.push_back({i + 10*j, i + 10*(j + 1), 100, 1});
             }
         }
     }
-    const labelList lines(aggregation::pairwise(100, grid, 2));
+    const labelList lines(aggregation::pairwise(gridPoints(10, 10), grid, 2));
     bool along = true;
     forAll(lines, a)
     {

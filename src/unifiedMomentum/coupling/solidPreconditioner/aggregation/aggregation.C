@@ -32,85 +32,156 @@ namespace Foam
 namespace aggregation
 {
 
-//- Neighbours of each node with the strength of their coupling
-typedef std::vector<std::map<label, scalar>> graph;
-
-
-//- One pass of matching; strongest: of each node, or inside each aggregate.
-//  Returns the number of aggregates
-static label match
-(
-    const graph& neighbours,
-    const scalarList& strongest,
-    labelList& aggregate
-)
+//- What couples two nodes or groups
+struct link
 {
-    const label n = neighbours.size();
-    label nAggregates = 0;
+    scalar section = 0;
 
+    //- Section times conductivity
+    scalar product = 0;
+
+    void operator+=(const link& l)
+    {
+        section += l.section;
+        product += l.product;
+    }
+
+    scalar conductivity() const
+    {
+        return product/section;
+    }
+};
+
+
+//- Nodes, or groups of them
+struct graph
+{
+    std::vector<std::map<label, link>> neighbours;
+    vectorField centres;
+
+    //- Numbers of nodes
+    scalarList sizes;
+
+    //- Largest conductivity of couplings inside, of a node of all its own
+    scalarList conductivity;
+
+    explicit graph(const label n)
+    :
+        neighbours(n),
+        centres(n, Zero),
+        sizes(n, 0.0),
+        conductivity(n, 0.0)
+    {}
+
+    label size() const
+    {
+        return sizes.size();
+    }
+};
+
+
+//- One pass of matching: the groups; returns their number
+static label match(const graph& g, labelList& aggregate)
+{
     // Of the strongest neighbour of a node a partner should have this part
     const scalar enough = 0.25;
 
-    // A coupling weaker than this part of the strongest inside one of both
-    // leads into a softer material
-    const scalar weak = 0.02;
+    // A coupling with less than this part of the conductivity inside one of
+    // both leads into a softer material
+    const scalar soft = 0.02;
 
-    aggregate = labelList(n, -1);
+    label n = 0;
+    aggregate = labelList(g.size(), -1);
 
-    for (label i = 0; i < n; ++i)
+    for (label i = 0; i < g.size(); ++i)
     {
         if (aggregate[i] >= 0)
         {
             continue;
         }
 
-        scalar any = 0;
-        scalar best = 0;
-        label partner = -1;
-        label bestTaken = -1;
-        scalar taken = 0;
+        // The strongest neighbours among the free and the others
+        label free = -1;
+        label taken = -1;
+        scalar strongestFree = 0;
+        scalar strongestTaken = 0;
 
-        for (const auto& neighbour : neighbours[i])
+        for (const auto& neighbour : g.neighbours[i])
         {
             const label j = neighbour.first;
-            const scalar strength = neighbour.second;
+            const link& l = neighbour.second;
 
-            if (strength < weak*max(strongest[i], strongest[j]))
+            if
+            (
+                l.conductivity()
+              < soft*max(g.conductivity[i], g.conductivity[j])
+            )
             {
                 continue;
             }
 
-            any = max(any, strength);
-            if (aggregate[j] < 0)
+            const scalar strength =
+                l.product/max(mag(g.centres[j] - g.centres[i]), VSMALL);
+
+            if (aggregate[j] < 0 && strength > strongestFree)
             {
-                if (strength > best)
-                {
-                    best = strength;
-                    partner = j;
-                }
+                strongestFree = strength;
+                free = j;
             }
-            else if (strength > taken)
+            else if (aggregate[j] >= 0 && strength > strongestTaken)
             {
-                taken = strength;
-                bestTaken = j;
+                strongestTaken = strength;
+                taken = j;
             }
         }
 
-        if (partner >= 0 && best >= enough*any)
+        if (free >= 0 && strongestFree >= enough*strongestTaken)
         {
-            aggregate[i] = aggregate[partner] = nAggregates++;
+            aggregate[i] = aggregate[free] = n++;
         }
-        else if (bestTaken >= 0)
+        else if (taken >= 0)
         {
-            aggregate[i] = aggregate[bestTaken];
+            aggregate[i] = aggregate[taken];
         }
         else
         {
-            aggregate[i] = nAggregates++;
+            aggregate[i] = n++;
         }
     }
 
-    return nAggregates;
+    return n;
+}
+
+
+//- The graph of groups
+static graph coarser(const graph& g, const labelList& aggregate, const label n)
+{
+    graph coarse(n);
+
+    forAll(aggregate, i)
+    {
+        const label a = aggregate[i];
+
+        coarse.sizes[a] += g.sizes[i];
+        coarse.centres[a] += g.sizes[i]*g.centres[i];
+        coarse.conductivity[a] =
+            max(coarse.conductivity[a], g.conductivity[i]);
+
+        for (const auto& neighbour : g.neighbours[i])
+        {
+            if (aggregate[neighbour.first] != a)
+            {
+                coarse.neighbours[a][aggregate[neighbour.first]] +=
+                    neighbour.second;
+            }
+        }
+    }
+    forAll(coarse.centres, a)
+    {
+        coarse.centres[a] /= coarse.sizes[a];
+    }
+
+    return coarse;
 }
 
 } // End namespace aggregation
@@ -121,50 +192,35 @@ static label match
 
 Foam::labelList Foam::aggregation::pairwise
 (
-    const label n,
+    const vectorField& points,
     const std::vector<coupling>& couplings,
     const label nPasses
 )
 {
-    graph neighbours(n);
-    scalarList strongest(n, 0.0);
+    graph g(points.size());
+    g.centres = points;
+    g.sizes = 1;
 
     for (const coupling& c : couplings)
     {
-        neighbours[c.i][c.j] += c.strength;
-        neighbours[c.j][c.i] += c.strength;
-        strongest[c.i] = max(strongest[c.i], c.strength);
-        strongest[c.j] = max(strongest[c.j], c.strength);
+        link l;
+        l.section = c.section;
+        l.product = c.section*c.conductivity;
+
+        g.neighbours[c.i][c.j] += l;
+        g.neighbours[c.j][c.i] += l;
+        g.conductivity[c.i] = max(g.conductivity[c.i], c.conductivity);
+        g.conductivity[c.j] = max(g.conductivity[c.j], c.conductivity);
     }
 
-    labelList result(identity(n));
+    labelList result(identity(points.size()));
 
     for (label pass = 0; pass < nPasses; ++pass)
     {
         labelList aggregate;
-        const label nAggregates = match(neighbours, strongest, aggregate);
+        const label n = match(g, aggregate);
 
-        graph coarse(nAggregates);
-        scalarList coarseStrongest(nAggregates, 0.0);
-
-        forAll(aggregate, i)
-        {
-            const label a = aggregate[i];
-            coarseStrongest[a] = max(coarseStrongest[a], strongest[i]);
-
-            for (const auto& neighbour : neighbours[i])
-            {
-                const label b = aggregate[neighbour.first];
-                if (a != b)
-                {
-                    coarse[a][b] += neighbour.second;
-                }
-            }
-        }
-
-        neighbours.swap(coarse);
-        strongest.transfer(coarseStrongest);
-
+        g = coarser(g, aggregate, n);
         for (label& a : result)
         {
             a = aggregate[a];

@@ -102,7 +102,6 @@ Foam::labelList Foam::rigidBodyModes::aggregates(const label nPasses) const
     const fluxGeometry& geometry = nodes_.geometry();
     const fvMesh& mesh = geometry.mesh();
     const materialZones& materials = geometry.materials();
-    const label nCells = geometry.cellsAndFaces(true).cells.size();
 
     // Couplings of cells as in heat conduction; cells have the first nodes
     std::vector<aggregation::coupling> couplings;
@@ -118,7 +117,8 @@ Foam::labelList Foam::rigidBodyModes::aggregates(const label nPasses) const
             ({
                 nodes_.ofCell(own),
                 nodes_.ofCell(nei),
-                mag(mesh.faceAreas()[facei])
+                mag(mesh.faceAreas()[facei]),
+                (geometry.hOwn()[facei] + geometry.hNei()[facei])
                /(
                     geometry.hOwn()[facei]/materials[own].shear()
                   + geometry.hNei()[facei]/materials[nei].shear()
@@ -127,7 +127,12 @@ Foam::labelList Foam::rigidBodyModes::aggregates(const label nPasses) const
         }
     }
 
-    labelList result(aggregation::pairwise(nCells, couplings, nPasses));
+    const vectorField points
+    (
+        mesh.cellCentres(),
+        geometry.cellsAndFaces(true).cells
+    );
+    labelList result(aggregation::pairwise(points, couplings, nPasses));
     result.setSize(nodes_.nOwn(), -1);
 
     // Faces between solids go with the stiffer cell
