@@ -92,10 +92,12 @@ void Foam::solidSolver::conjugateGradients
     // A small residual says little about bending, what the iterations
     // still add to the energy does
     scalar energy = 0;
-    scalarList gains(preconditioner_->nGains(), 0.0);
+    scalarList gains(5, 0.0);
     const auto bends = [&]()
     {
-        return nIterations*max(gains) > tolerance*energy;
+        return
+            nIterations > preconditioner_->nTrusted()
+         && nIterations*max(gains) > tolerance*energy;
     };
 
     while ((rs > target || bends()) && rs > VSMALL && nIterations < maxIter)

@@ -516,7 +516,7 @@ static void testIterations
         );
     }
 
-    rigidBodyModes::maxDirect2D = 10000;
+    rigidBodyModes::maxDirect2D = 30000;
     rigidBodyModes::maxDirect3D = 3000;
 }
 

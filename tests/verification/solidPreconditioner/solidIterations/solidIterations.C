@@ -268,6 +268,8 @@ int main(int argc, char *argv[])
     {
         rigidBodyModes::maxDirect2D = 0;
         rigidBodyModes::maxDirect3D = 0;
+        rigidBodyModes::maxWhole2D = 0;
+        rigidBodyModes::maxWhole3D = 0;
         solidSolver solver(op, block, ownSide, neiSide);
         solver.update();
         run(solver, "rigidBodyModes", "multigrid");

@@ -25,9 +25,13 @@ License
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
-Foam::label Foam::rigidBodyModes::maxDirect2D = 10000;
+Foam::label Foam::rigidBodyModes::maxDirect2D = 30000;
 
 Foam::label Foam::rigidBodyModes::maxDirect3D = 3000;
+
+Foam::label Foam::rigidBodyModes::maxWhole2D = 10000;
+
+Foam::label Foam::rigidBodyModes::maxWhole3D = 3000;
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -212,12 +216,11 @@ void Foam::rigidBodyModes::setUp()
         vectorField(faces_.weight.size(), Zero)
     );
 
-    const label maxDirect = (d == 3 ? maxDirect3D : maxDirect2D);
-
     if
     (
         Pstream::parRun()
-     && returnReduce(nodes_.nOwn(), sumOp<label>()) <= maxDirect
+     && returnReduce(nodes_.nOwn(), sumOp<label>())
+     <= (d == 3 ? maxWhole3D : maxWhole2D)
     )
     {
         // Each node an aggregate with all its motion: the whole matrix
@@ -245,7 +248,7 @@ void Foam::rigidBodyModes::setUp()
             d,
             B,
             aggregates(d == 3 ? 4 : 3),
-            d*maxDirect,
+            d*(d == 3 ? maxDirect3D : maxDirect2D),
             hard()
         )
     );
