@@ -74,12 +74,18 @@ struct strip
             {
                 for (label j = 0; j < 2; ++j)
                 {
-                    entries.push_back({2*a + i, 2*b + j, k(i, j)});
+                    entries.push_back({int(2*a + i), int(2*b + j), k(i, j)});
                 }
             }
         };
 
-        const auto spring = [&](const label i, const label j, label di, label dj)
+        const auto spring = [&]
+        (
+            const label i,
+            const label j,
+            const label di,
+            const label dj
+        )
         {
             if (i + di >= nx || j + dj < 0 || j + dj >= ny)
             {

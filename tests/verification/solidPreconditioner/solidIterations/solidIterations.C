@@ -217,7 +217,8 @@ int main(int argc, char *argv[])
     scalar speed = 0;
     for (const material& law : materials.materials())
     {
-        speed = max(speed, Foam::sqrt((2*law.shear() + law.lambda())/law.rho()));
+        const scalar modulus = 2*law.shear() + law.lambda();
+        speed = max(speed, Foam::sqrt(modulus/law.rho()));
     }
     const scalar size =
         Foam::pow(gMin(mesh.cellVolumes()), 1.0/mesh.nSolutionD());

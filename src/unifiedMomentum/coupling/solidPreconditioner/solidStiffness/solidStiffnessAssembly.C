@@ -106,7 +106,8 @@ void Foam::solidStiffness::setPattern(cellStiffness& cell)
 
     if (nodes_.exchanges())
     {
-        local_ = blockPattern(d, nodes_.nOwn(), start_, columns_, nodes_.nOwn());
+        const label nOwn = nodes_.nOwn();
+        local_ = blockPattern(d, nOwn, start_, columns_, nOwn);
     }
 }
 
