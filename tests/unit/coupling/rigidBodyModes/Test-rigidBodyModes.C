@@ -395,7 +395,7 @@ static void testRigid(const Time& runTime, const string& kind)
     solids s(mesh(), freePatches, 1);
 
     const solidNodes nodes(s.flux.geometry());
-    solidStiffness K(nodes, s.flux.stress(true), s.flux.betaDt());
+    solidStiffness K(nodes, stressFlux(s.flux.geometry(), true));
     K.update
     (
         scalarField(mesh->nCells(), 0),

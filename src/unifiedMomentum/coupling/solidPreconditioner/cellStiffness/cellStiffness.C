@@ -38,7 +38,7 @@ void Foam::cellStiffness::addFace(const label celli, const label facei)
         owner ? geometry.dNei()[facei] : geometry.dOwn()[facei];
 
     velocity v{-1, -1, tensor::I, dx, S/V_};
-    side s{velocities_.size(), 1, stress_.faceStiffness(facei, owner)/factor_};
+    side s{velocities_.size(), 1, stress_.faceStiffness(facei, owner)};
 
     const tensor along(tensor::I - tensor(sqr(geometry.n()[facei])));
 
@@ -164,13 +164,11 @@ void Foam::cellStiffness::setJumps()
 Foam::cellStiffness::cellStiffness
 (
     const solidNodes& nodes,
-    const stressFlux& stress,
-    const scalar factor
+    const stressFlux& stress
 )
 :
     nodes_(nodes),
     stress_(stress),
-    factor_(factor),
     V_(0),
     mu_(0),
     lambda_(0)

@@ -204,10 +204,10 @@ void Foam::rigidBodyModes::setUp()
     const label nCells = nodes_.geometry().mesh().nCells();
     const label d = nodes_.blockSize();
 
-    stiffness_.reset
-    (
-        new solidStiffness(nodes_, op_.flux().stress(true), op_.flux().betaDt())
-    );
+    // Not that of the operator: the same at any time step, to the last digit,
+    // so that a restart goes on bitwise
+    const stressFlux stress(op_.geometry(), true);
+    stiffness_.reset(new solidStiffness(nodes_, stress));
 
     // Without inertia and fluid
     stiffness_().update

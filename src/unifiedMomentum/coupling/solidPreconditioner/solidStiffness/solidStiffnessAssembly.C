@@ -240,13 +240,12 @@ void Foam::solidStiffness::setValues(cellStiffness& cell)
 Foam::solidStiffness::solidStiffness
 (
     const solidNodes& nodes,
-    const stressFlux& stress,
-    const scalar factor
+    const stressFlux& stress
 )
 :
     nodes_(nodes)
 {
-    cellStiffness cell(nodes, stress, factor);
+    cellStiffness cell(nodes, stress);
 
     setPattern(cell);
     setValues(cell);
