@@ -21,131 +21,121 @@ License
 
 #include "solidSolver.H"
 
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+    defineTypeNameAndDebug(solidSolver, 0);
+}
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::scalar Foam::solidSolver::dot
+Foam::vector2D Foam::solidSolver::dot
 (
     const unifiedVector& a,
-    const unifiedVector& b
+    const unifiedVector& b,
+    const unifiedVector& c
 ) const
 {
-    scalar sum = 0;
+    vector2D sums(0, 0);
 
     for (const label celli : op_.geometry().cellsAndFaces(true).cells)
     {
-        sum += a.U[celli] & b.U[celli];
+        sums.x() += a.U[celli] & b.U[celli];
+        sums.y() += a.U[celli] & c.U[celli];
     }
-    forAll(faceWeight_, i)
+    forAll(faces_.weight, i)
     {
-        sum += faceWeight_[i]*(a.Uf[i] & b.Uf[i]);
+        sums.x() += faces_.weight[i]*(a.Uf[i] & b.Uf[i]);
+        sums.y() += faces_.weight[i]*(a.Uf[i] & c.Uf[i]);
     }
 
-    return returnReduce(sum, sumOp<scalar>());
+    return returnReduce(sums, sumOp<vector2D>());
 }
 
 
-void Foam::solidSolver::precondition
+void Foam::solidSolver::choosePreconditioner()
+{
+    const word name
+    (
+        op_.geometry().mesh().solutionDict().subDict("PIMPLE")
+       .subOrEmptyDict("krylov").getOrDefault<word>
+        (
+            solidPreconditioner::entryName,
+            solidPreconditioner::defaultName
+        )
+    );
+
+    if (name != preconditionerName_)
+    {
+        preconditioner_ =
+            solidPreconditioner::New(name, op_, block_, faces_);
+        preconditionerName_ = name;
+        preconditioner_->update();
+    }
+}
+
+
+void Foam::solidSolver::conjugateGradients
 (
-    const direction cmpt,
-    const unifiedVector& r,
-    unifiedVector& x
+    const scalar tolerance,
+    const label maxIter,
+    label& nIterations
 )
 {
-    const fluxGeometry& geometry = op_.geometry();
-    const fvMesh& mesh = geometry.mesh();
-    const fluxGeometry::zone& solid = geometry.cellsAndFaces(true);
+    // Flexible: solvers of the preconditioner may stop by a tolerance
+    preconditioner_->apply(r_, s_);
+    scalar rs = dot(r_, s_, oldS_).x();
+    const scalar target = sqr(tolerance)*rs;
+    d_ = s_;
 
-    // Eliminate the faces
-    vectorField b(r.U);
-
-    const auto eliminate = [&](const label facei, const bool owner)
+    // A small residual says little about bending, what the iterations
+    // still add to the energy does
+    scalar energy = 0;
+    scalarList gains(5, 0.0);
+    const auto bends = [&]()
     {
-        const label i = geometry.unknownIndex()[facei];
-        if (i >= 0)
-        {
-            const scalar own = ownSide_[i][cmpt];
-            const scalar nei = neiSide_[i][cmpt];
-            const label celli =
-                owner ? mesh.faceOwner()[facei] : mesh.faceNeighbour()[facei];
-
-            b[celli][cmpt] +=
-                (owner ? own : nei)/(own + nei)*r.Uf[i][cmpt];
-        }
+        return
+            nIterations > preconditioner_->nTrusted()
+         && nIterations*max(gains) > tolerance*energy;
     };
 
-    for (const label facei : solid.ownSides)
+    while ((rs > target || bends()) && rs > VSMALL && nIterations < maxIter)
     {
-        eliminate(facei, true);
-    }
-    for (const label facei : solid.neiSides)
-    {
-        eliminate(facei, false);
-    }
-
-    vectorField dU(r.U.size(), Zero);
-    block_.solve(cmpt, b, dU);
-
-    for (const label celli : solid.cells)
-    {
-        x.U[celli][cmpt] += dU[celli][cmpt];
-    }
-
-    vectorField beyond;
-    if (geometry.anyCoupled())
-    {
-        beyond = geometry.neighbourValues(dU);
-    }
-
-    forAll(x.Uf, i)
-    {
-        if (faceWeight_[i] == 0)
+        op_.applySolid(d_, faces_.fluidSide, y_);
+        const scalar dy = dot(d_, y_, y_).x();
+        if (!(dy > 0))
         {
-            continue;
+            // Not an elastic solid with inertia: a source of fvOptions
+            // that makes velocities grow. Left to the method outside
+            break;
         }
+        const scalar alpha = rs/dy;
+        x_.add(alpha, d_);
+        r_.add(-alpha, y_);
 
-        const label facei = geometry.unknownFaces()[i];
-        const scalar own = ownSide_[i][cmpt];
-        const scalar nei = neiSide_[i][cmpt];
+        gains[nIterations % gains.size()] = alpha*rs;
+        energy += alpha*rs;
+        ++nIterations;
 
-        scalar sum =
-            r.Uf[i][cmpt] + own*dU[mesh.faceOwner()[facei]][cmpt];
-
-        if (mesh.isInternalFace(facei))
-        {
-            sum += nei*dU[mesh.faceNeighbour()[facei]][cmpt];
-        }
-        else if (geometry.coupled(facei))
-        {
-            sum += nei*beyond[facei - mesh.nInternalFaces()][cmpt];
-        }
-
-        vector du(Zero);
-        du[cmpt] = sum/(own + nei);
-
-        if (geometry.kind(facei) == fluxGeometry::SLIP)
-        {
-            du = geometry.tangential(facei, du);
-        }
-
-        x.Uf[i] += du;
+        oldS_ = s_;
+        preconditioner_->apply(r_, s_);
+        const scalar oldRs = rs;
+        const vector2D products(dot(r_, s_, oldS_));
+        rs = products.x();
+        d_.scale((rs - products.y())/oldRs);
+        d_.add(1, s_);
     }
-}
 
-
-void Foam::solidSolver::precondition
-(
-    const unifiedVector& r,
-    unifiedVector& x
-)
-{
-    x.setZero();
-
-    for (direction cmpt = 0; cmpt < vector::nComponents; ++cmpt)
+    if (nIterations == maxIter && !warned_)
     {
-        if (op_.geometry().mesh().solutionD()[cmpt] > 0)
-        {
-            precondition(cmpt, r, x);
-        }
+        WarningInFunction
+            << "The conjugate gradients of the solids stopped at"
+            << " solidMaxIter " << maxIter << nl
+            << "    Slow motion, as bending, may be unfinished although"
+            << " all residuals pass." << nl
+            << "    This is said once." << endl;
+        warned_ = true;
     }
 }
 
@@ -162,10 +152,15 @@ Foam::solidSolver::solidSolver
 :
     op_(op),
     block_(block),
-    ownSide_(ownSide),
-    neiSide_(neiSide),
-    fluidSide_(ownSide.size(), Zero),
-    faceWeight_(ownSide.size(), 0),
+    faces_
+    {
+        ownSide,
+        neiSide,
+        vectorField(ownSide.size(), Zero),
+        scalarField(ownSide.size(), 0)
+    },
+    preconditioner_(),
+    preconditionerName_(),
     x_(op.geometry().mesh().nCells(), ownSide.size()),
     r_(x_),
     d_(x_),
@@ -185,7 +180,7 @@ void Foam::solidSolver::update()
     const materialZones& materials = geometry.materials();
     const labelList beyond(materials.boundaryNeighbour());
 
-    forAll(faceWeight_, i)
+    forAll(faces_.weight, i)
     {
         const label facei = geometry.unknownFaces()[i];
         const bool ownSolid = materials.solid(mesh.faceOwner()[facei]);
@@ -206,25 +201,30 @@ void Foam::solidSolver::update()
 
         if (mesh.isInternalFace(facei))
         {
-            faceWeight_[i] = ownSolid || neiSolid;
+            faces_.weight[i] = ownSolid || neiSolid;
         }
         else
         {
             // Of two processes that hold the face, those with a solid count
-            faceWeight_[i] =
+            faces_.weight[i] =
                 !ownSolid ? 0
               : geometry.coupled(facei) && neiSolid ? 0.5 : 1;
         }
 
-        fluidSide_[i] = Zero;
+        faces_.fluidSide[i] = Zero;
         if (!ownSolid)
         {
-            fluidSide_[i] += ownSide_[i];
+            faces_.fluidSide[i] += faces_.ownSide[i];
         }
         if (!neiSolid)
         {
-            fluidSide_[i] += neiSide_[i];
+            faces_.fluidSide[i] += faces_.neiSide[i];
         }
+    }
+
+    if (preconditioner_)
+    {
+        preconditioner_->update();
     }
 }
 
@@ -252,7 +252,7 @@ Foam::label Foam::solidSolver::solve
     }
     forAll(r_.Uf, i)
     {
-        if (faceWeight_[i] > 0)
+        if (faces_.weight[i] > 0)
         {
             r_.Uf[i] = r.Uf[i];
         }
@@ -276,77 +276,19 @@ Foam::label Foam::solidSolver::solve
     x_.setZero();
     label nIterations = 0;
 
+    choosePreconditioner();
+
     if (maxIter == 0)
     {
-        bool first = true;
-        for (direction cmpt = 0; cmpt < vector::nComponents; ++cmpt)
-        {
-            if (mesh.solutionD()[cmpt] > 0)
-            {
-                y_ = r_;
-                if (!first)
-                {
-                    op_.applySolid(x_, fluidSide_, s_);
-                    y_.add(-1, s_);
-                }
-                precondition(cmpt, y_, x_);
-                first = false;
-            }
-        }
+        preconditioner_->solveOnce(r_, x_);
     }
     else
     {
-        // Flexible: the inner solver is not exactly linear
-        precondition(r_, s_);
-        scalar rs = dot(r_, s_);
-        const scalar target = sqr(tolerance)*rs;
-        d_ = s_;
+        conjugateGradients(tolerance, maxIter, nIterations);
 
-        // A small residual says little about bending, what the iterations
-        // still add to the energy does
-        scalar energy = 0;
-        scalarList gains(5, 0.0);
-        const auto bends = [&]()
+        if (debug)
         {
-            return nIterations*max(gains) > tolerance*energy;
-        };
-
-        while ((rs > target || bends()) && rs > VSMALL && nIterations < maxIter)
-        {
-            op_.applySolid(d_, fluidSide_, y_);
-            const scalar dy = dot(d_, y_);
-            if (!(dy > 0))
-            {
-                // Not an elastic solid with inertia: a source of fvOptions
-                // that makes velocities grow. Left to the method outside
-                break;
-            }
-            const scalar alpha = rs/dy;
-            x_.add(alpha, d_);
-            r_.add(-alpha, y_);
-
-            gains[nIterations % gains.size()] = alpha*rs;
-            energy += alpha*rs;
-            ++nIterations;
-
-            oldS_ = s_;
-            precondition(r_, s_);
-            const scalar oldRs = rs;
-            rs = dot(r_, s_);
-            const scalar beta = (rs - dot(r_, oldS_))/oldRs;
-            d_.scale(beta);
-            d_.add(1, s_);
-        }
-
-        if (nIterations == maxIter && !warned_)
-        {
-            WarningInFunction
-                << "The conjugate gradients of the solids stopped at"
-                << " solidMaxIter " << maxIter << nl
-                << "    Slow motion, as bending, may be unfinished although"
-                << " all residuals pass." << nl
-                << "    This is said once." << endl;
-            warned_ = true;
+            Info<< "    solid iterations " << nIterations << endl;
         }
     }
 
@@ -367,7 +309,7 @@ Foam::label Foam::solidSolver::solve
     {
         const label facei = geometry.unknownFaces()[i];
 
-        if (faceWeight_[i] > 0)
+        if (faces_.weight[i] > 0)
         {
             dz.Uf[i] = x_.Uf[i];
         }

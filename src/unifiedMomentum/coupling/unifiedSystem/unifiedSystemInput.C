@@ -328,7 +328,10 @@ void Foam::unifiedSystem::readControls()
     checkEntries
     (
         krylov,
-        {"maxSweeps", "nVectors", "solidTolerance", "solidMaxIter"}
+        {
+            "maxSweeps", "nVectors", "solidTolerance", "solidMaxIter",
+            solidPreconditioner::entryName
+        }
     );
     checkRange(krylov, "solidMaxIter", 10000, 0);
 
@@ -339,6 +342,23 @@ void Foam::unifiedSystem::readControls()
         FatalIOErrorInFunction(krylov)
             << "Entry 'solidTolerance' is " << solidTolerance << nl
             << "    Valid choices: between 0 and 1"
+            << exit(FatalIOError);
+    }
+
+    const word preconditioner
+    (
+        krylov.getOrDefault<word>
+        (
+            solidPreconditioner::entryName,
+            solidPreconditioner::defaultName
+        )
+    );
+    if (!solidPreconditioner::names.found(preconditioner))
+    {
+        FatalIOErrorInFunction(krylov)
+            << "Entry '" << solidPreconditioner::entryName << "' is "
+            << preconditioner << nl
+            << "    Valid choices: " << flatOutput(solidPreconditioner::names)
             << exit(FatalIOError);
     }
 

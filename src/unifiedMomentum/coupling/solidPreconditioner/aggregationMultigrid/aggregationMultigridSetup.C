@@ -1,0 +1,233 @@
+/*---------------------------------------------------------------------------*\
+  umfsiFoam: fluid-structure interaction with one momentum equation
+-------------------------------------------------------------------------------
+License
+    This file is part of umfsiFoam.
+
+    umfsiFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by
+    the Free Software Foundation, either version 3 of the License, or
+    (at your option) any later version.
+
+    umfsiFoam is distributed in the hope that it will be useful, but WITHOUT
+    ANY WARRANTY; without even the implied warranty of MERCHANTABILITY or
+    FITNESS FOR A PARTICULAR PURPOSE.  See the GNU General Public License
+    for more details.
+
+    You should have received a copy of the GNU General Public License
+    along with umfsiFoam.  If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+
+#include "aggregationMultigrid.H"
+#include "aggregation.H"
+#include "labelField.H"
+#include "ListOps.H"
+#include <Eigen/QR>
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::aggregationMultigrid::setSmoother(level& l)
+{
+    const label d = l.d;
+    const label n = l.A.rows()/d;
+
+    l.invD = sparseMatrix(l.A.rows(), l.A.rows());
+    l.invD.reserve(Eigen::VectorXi::Constant(l.A.rows(), d));
+
+    for (label i = 0; i < n; ++i)
+    {
+        Eigen::MatrixXd D(Eigen::MatrixXd::Zero(d, d));
+
+        for (label k = 0; k < d; ++k)
+        {
+            for (sparseMatrix::InnerIterator e(l.A, d*i + k); e; ++e)
+            {
+                if (e.col()/d == i)
+                {
+                    D(k, e.col() - d*i) = e.value();
+                }
+            }
+        }
+
+        const Eigen::MatrixXd invD(D.inverse());
+        for (label k = 0; k < d; ++k)
+        {
+            for (label m = 0; m < d; ++m)
+            {
+                l.invD.insert(d*i + k, d*i + m) = invD(k, m);
+            }
+        }
+    }
+    l.invD.makeCompressed();
+
+    // Largest eigenvalue from below, by power iterations from a repeatable
+    // start
+    Eigen::VectorXd x(l.A.rows());
+    unsigned long state = 1;
+    for (label i = 0; i < x.size(); ++i)
+    {
+        state = state*6364136223846793005ul + 1442695040888963407ul;
+        x[i] = double(state >> 33)/double(1ul << 31) - 0.5;
+    }
+
+    l.rho = 1;
+    for (label iter = 0; iter < 15; ++iter)
+    {
+        const Eigen::VectorXd Ax(l.A*x);
+        x.noalias() = l.invD*Ax;
+        l.rho = x.norm();
+        x /= l.rho;
+    }
+    l.rho *= 1.05;
+}
+
+
+Foam::sparseMatrix Foam::aggregationMultigrid::tentative
+(
+    const labelList& aggregates,
+    const label d,
+    Eigen::MatrixXd& modes
+)
+{
+    const label nModes = modes.cols();
+    const label nAggregates = aggregates.empty() ? 0 : max(aggregates) + 1;
+    const labelListList nodes(invertOneToMany(nAggregates, aggregates));
+
+    std::vector<Eigen::Triplet<double>> entries;
+    entries.reserve(modes.rows()*nModes);
+    Eigen::MatrixXd coarse
+    (
+        Eigen::MatrixXd::Zero(nAggregates*nModes, nModes)
+    );
+
+    forAll(nodes, a)
+    {
+        const label n = nodes[a].size();
+        Eigen::MatrixXd B(d*n, nModes);
+        forAll(nodes[a], i)
+        {
+            B.middleRows(d*i, d) = modes.middleRows(d*nodes[a][i], d);
+        }
+
+        // With fewer unknowns than modes the last columns stay empty
+        const label rank = min(d*n, nModes);
+        const Eigen::HouseholderQR<Eigen::MatrixXd> qr(B);
+        const Eigen::MatrixXd Q
+        (
+            qr.householderQ()*Eigen::MatrixXd::Identity(d*n, rank)
+        );
+
+        for (label k = 0; k < rank; ++k)
+        {
+            for (label m = k; m < nModes; ++m)
+            {
+                coarse(a*nModes + k, m) = qr.matrixQR()(k, m);
+            }
+        }
+
+        forAll(nodes[a], i)
+        {
+            for (label k = 0; k < d; ++k)
+            {
+                for (label m = 0; m < rank; ++m)
+                {
+                    entries.push_back
+                    ({
+                        int(d*nodes[a][i] + k),
+                        int(a*nModes + m),
+                        Q(d*i + k, m)
+                    });
+                }
+            }
+        }
+    }
+
+    sparseMatrix T(modes.rows(), nAggregates*nModes);
+    T.setFromTriplets(entries.begin(), entries.end());
+    modes = coarse;
+
+    return T;
+}
+
+
+Foam::sparseMatrix Foam::aggregationMultigrid::coarser(const level& l)
+{
+    const sparseMatrix AP(l.A*l.P);
+    sparseMatrix A(l.PT*AP);
+
+    // Unknowns of the empty columns: nothing acts on them
+    for (label i = 0; i < A.rows(); ++i)
+    {
+        if (!(A.coeff(i, i) > 0))
+        {
+            A.coeffRef(i, i) = 1;
+        }
+    }
+    A.makeCompressed();
+
+    return A;
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::aggregationMultigrid::aggregationMultigrid
+(
+    const sparseMatrix& K,
+    const label d,
+    const Eigen::MatrixXd& modes,
+    const labelList& aggregates,
+    const label nDirect,
+    const bool hard
+)
+:
+    nSteps_(hard ? 4 : 2),
+    ratio_(hard ? 20 : 8),
+    levels_(1)
+{
+    const label maxCoarsest = 300;
+    const label maxLevels = 10;
+
+    levels_[0].A = K;
+    levels_[0].d = d;
+
+    Eigen::MatrixXd B(modes);
+    labelList groups(aggregates);
+
+    while
+    (
+        levels_.back().A.rows() > (nLevels() == 1 ? nDirect : maxCoarsest)
+     && nLevels() < maxLevels
+    )
+    {
+        level& l = levels_.back();
+
+        setSmoother(l);
+        if (nLevels() > 1)
+        {
+            groups = aggregation::greedy(l.A, l.d, 0.05);
+        }
+
+        level next;
+        next.d = B.cols();
+
+        const sparseMatrix T(tentative(groups, l.d, B));
+        if (T.cols() >= l.A.rows())
+        {
+            break;
+        }
+
+        const sparseMatrix AT(l.A*T);
+        const sparseMatrix DAT(l.invD*AT);
+        l.P = T - (4.0/(3*l.rho))*DAT;
+        l.PT = l.P.transpose();
+
+        next.A = coarser(l);
+        levels_.push_back(std::move(next));
+    }
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,335 @@
+/*---------------------------------------------------------------------------*\
+  umfsiFoam: fluid-structure interaction with one momentum equation
+-------------------------------------------------------------------------------
+License
+    This file is part of umfsiFoam.
+
+    umfsiFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by
+    the Free Software Foundation, either version 3 of the License, or
+    (at your option) any later version.
+
+    umfsiFoam is distributed in the hope that it will be useful, but WITHOUT
+    ANY WARRANTY; without even the implied warranty of MERCHANTABILITY or
+    FITNESS FOR A PARTICULAR PURPOSE.  See the GNU General Public License
+    for more details.
+
+    You should have received a copy of the GNU General Public License
+    along with umfsiFoam.  If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+
+#include "rigidBodyModes.H"
+#include "aggregation.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+Foam::label Foam::rigidBodyModes::maxDirect2D = 30000;
+
+Foam::label Foam::rigidBodyModes::maxDirect3D = 3000;
+
+Foam::label Foam::rigidBodyModes::maxWhole2D = 10000;
+
+Foam::label Foam::rigidBodyModes::maxWhole3D = 3000;
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Eigen::MatrixXd Foam::rigidBodyModes::modes() const
+{
+    const fluxGeometry& geometry = nodes_.geometry();
+    const fvMesh& mesh = geometry.mesh();
+    const DynamicList<direction>& directions = nodes_.directions();
+    const label d = directions.size();
+
+    vectorField points(nodes_.nOwn(), Zero);
+    vector centre(Zero);
+    scalar volume = 0;
+
+    for (const label celli : geometry.cellsAndFaces(true).cells)
+    {
+        points[nodes_.ofCell(celli)] = mesh.cellCentres()[celli];
+        centre += geometry.V()[celli]*mesh.cellCentres()[celli];
+        volume += geometry.V()[celli];
+    }
+    forAll(geometry.unknownFaces(), i)
+    {
+        if (nodes_.ofFace(i) >= 0)
+        {
+            points[nodes_.ofFace(i)] =
+                mesh.faceCentres()[geometry.unknownFaces()[i]];
+        }
+    }
+    centre /= max(volume, VSMALL);
+
+    points -= centre;
+    const scalar length = points.empty() ? 1 : sqrt(average(magSqr(points)));
+    points /= max(length, VSMALL);
+
+    // Axes of rotations that stay in the directions that are solved
+    DynamicList<vector> axes;
+    for (direction k = 0; k < vector::nComponents; ++k)
+    {
+        if (d == 3 || (d == 2 && mesh.solutionD()[k] < 0))
+        {
+            vector axis(Zero);
+            axis[k] = 1;
+            axes.append(axis);
+        }
+    }
+
+    Eigen::MatrixXd B
+    (
+        Eigen::MatrixXd::Zero(d*points.size(), d + axes.size())
+    );
+
+    forAll(points, nodei)
+    {
+        for (label k = 0; k < d; ++k)
+        {
+            B(d*nodei + k, k) = 1;
+        }
+        forAll(axes, i)
+        {
+            const vector u(axes[i] ^ points[nodei]);
+            B.block(d*nodei, d + i, d, 1) = nodes_.reduced(u);
+        }
+    }
+
+    return B;
+}
+
+
+Foam::labelList Foam::rigidBodyModes::aggregates(const label nPasses) const
+{
+    const fluxGeometry& geometry = nodes_.geometry();
+    const fvMesh& mesh = geometry.mesh();
+    const materialZones& materials = geometry.materials();
+
+    // Couplings of cells as in heat conduction; cells have the first nodes
+    std::vector<aggregation::coupling> couplings;
+
+    for (label facei = 0; facei < mesh.nInternalFaces(); ++facei)
+    {
+        const label own = mesh.faceOwner()[facei];
+        const label nei = mesh.faceNeighbour()[facei];
+
+        if (materials.solid(own) && materials.solid(nei))
+        {
+            couplings.push_back
+            ({
+                nodes_.ofCell(own),
+                nodes_.ofCell(nei),
+                mag(mesh.faceAreas()[facei]),
+                (geometry.hOwn()[facei] + geometry.hNei()[facei])
+               /(
+                    geometry.hOwn()[facei]/materials[own].shear()
+                  + geometry.hNei()[facei]/materials[nei].shear()
+                )
+            });
+        }
+    }
+
+    const vectorField points
+    (
+        mesh.cellCentres(),
+        geometry.cellsAndFaces(true).cells
+    );
+    labelList result(aggregation::pairwise(points, couplings, nPasses));
+    result.setSize(nodes_.nOwn(), -1);
+
+    // Faces between solids go with the stiffer cell
+    forAll(geometry.unknownFaces(), i)
+    {
+        if (nodes_.ofFace(i) >= 0)
+        {
+            const label facei = geometry.unknownFaces()[i];
+            label celli = mesh.faceOwner()[facei];
+
+            if (mesh.isInternalFace(facei))
+            {
+                const label nei = mesh.faceNeighbour()[facei];
+                if (materials[nei].shear() > materials[celli].shear())
+                {
+                    celli = nei;
+                }
+            }
+            result[nodes_.ofFace(i)] = result[nodes_.ofCell(celli)];
+        }
+    }
+
+    return result;
+}
+
+
+bool Foam::rigidBodyModes::hard() const
+{
+    for (const label celli : nodes_.geometry().cellsAndFaces(true).cells)
+    {
+        const material& law = nodes_.geometry().materials()[celli];
+        const scalar nu = 0.5*law.lambda()/(law.lambda() + law.shear());
+
+        if (nu > 0.45)
+        {
+            return true;
+        }
+    }
+
+    return false;
+}
+
+
+Foam::label Foam::rigidBodyModes::nCoarsePasses() const
+{
+    const bool threeD = nodes_.blockSize() == 3;
+
+    // 8 cells in an aggregate in 2-D, 16 in 3-D; more in large solids, as every
+    // process factorises the whole matrix
+    label nPasses = threeD ? 4 : 3;
+    const label maxAggregates = threeD ? 500 : 2000;
+
+    label nCells = returnReduce(nodes_.nOwn(), sumOp<label>());
+    while ((nCells >> nPasses) > maxAggregates)
+    {
+        ++nPasses;
+    }
+
+    return nPasses;
+}
+
+
+void Foam::rigidBodyModes::setUp()
+{
+    const label nCells = nodes_.geometry().mesh().nCells();
+    const label d = nodes_.blockSize();
+
+    // Not that of the operator: the same at any time step, to the last digit,
+    // so that a restart goes on bitwise
+    const stressFlux stress(op_.geometry(), true);
+    stiffness_.reset(new solidStiffness(nodes_, stress));
+
+    // Without inertia and fluid
+    stiffness_().update
+    (
+        scalarField(nCells, 0),
+        vectorField(faces_.weight.size(), Zero)
+    );
+
+    if
+    (
+        Pstream::parRun()
+     && returnReduce(nodes_.nOwn(), sumOp<label>())
+     <= (d == 3 ? maxWhole3D : maxWhole2D)
+    )
+    {
+        // Each node an aggregate with all its motion: the whole matrix
+        Eigen::MatrixXd all(Eigen::MatrixXd::Zero(d*nodes_.nOwn(), d));
+        for (label row = 0; row < all.rows(); ++row)
+        {
+            all(row, row % d) = 1;
+        }
+
+        coarse_.reset
+        (
+            new rigidCoarseSpace(stiffness_(), all, identity(nodes_.nOwn()))
+        );
+
+        return;
+    }
+
+    const Eigen::MatrixXd B(modes());
+
+    own_.reset
+    (
+        new aggregationMultigrid
+        (
+            stiffness_().local(),
+            d,
+            B,
+            aggregates(d == 3 ? 4 : 3),
+            d*(d == 3 ? maxDirect3D : maxDirect2D),
+            hard()
+        )
+    );
+
+    if (Pstream::parRun())
+    {
+        coarse_.reset
+        (
+            new rigidCoarseSpace(stiffness_(), B, aggregates(nCoarsePasses()))
+        );
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::rigidBodyModes::rigidBodyModes(unifiedOperator& op, const faces& f)
+:
+    solidPreconditioner(op, f),
+    nodes_(op.geometry())
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::rigidBodyModes::update()
+{
+    if (!stiffness_.valid())
+    {
+        setUp();
+    }
+
+    // The operator over beta dt
+    const scalar betaDt = op_.flux().betaDt();
+
+    scalarField cellDiagonal(op_.mass()/betaDt);
+    cellDiagonal += op_.source();
+    cellDiagonal /= betaDt;
+
+    stiffness_().update(cellDiagonal, vectorField(faces_.fluidSide/betaDt));
+
+    if (own_.valid())
+    {
+        own_().update(stiffness_().local());
+    }
+    if (coarse_.valid())
+    {
+        coarse_().update();
+    }
+}
+
+
+void Foam::rigidBodyModes::apply(const unifiedVector& r, unifiedVector& x)
+{
+    Eigen::VectorXd b, x1, Ax;
+    stiffness_().eliminate(r, b);
+
+    if (!own_.valid())
+    {
+        x1 = coarse_().solve(b);
+    }
+    else if (coarse_.valid())
+    {
+        x1 = coarse_().solve(b);
+        stiffness_().multiply(x1, Ax);
+        x1 += own_().solve(b - Ax);
+        stiffness_().multiply(x1, Ax);
+        x1 += coarse_().solve(b - Ax);
+    }
+    else
+    {
+        x1 = own_().solve(b);
+    }
+
+    x.setZero();
+    stiffness_().expand(r, x1, x);
+
+    const scalar scale = 1/op_.flux().betaDt();
+    x.U *= scale;
+    x.Uf *= scale;
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,331 @@
+/*---------------------------------------------------------------------------*\
+  umfsiFoam: fluid-structure interaction with one momentum equation
+-------------------------------------------------------------------------------
+License
+    This file is part of umfsiFoam.
+
+    umfsiFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by
+    the Free Software Foundation, either version 3 of the License, or
+    (at your option) any later version.
+
+    umfsiFoam is distributed in the hope that it will be useful, but WITHOUT
+    ANY WARRANTY; without even the implied warranty of MERCHANTABILITY or
+    FITNESS FOR A PARTICULAR PURPOSE.  See the GNU General Public License
+    for more details.
+
+    You should have received a copy of the GNU General Public License
+    along with umfsiFoam.  If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+
+#include "solidNodes.H"
+#include "bitSet.H"
+#include "coupledPolyPatch.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::solidNodes::setOwn()
+{
+    const fvMesh& mesh = geometry_.mesh();
+    const materialZones& materials = geometry_.materials();
+    const labelList materialBeyond(materials.boundaryNeighbour());
+
+    for (const label celli : geometry_.cellsAndFaces(true).cells)
+    {
+        cellNode_[celli] = nOwn_++;
+    }
+
+    forAll(faceNode_, i)
+    {
+        const label facei = geometry_.unknownFaces()[i];
+        const bool ownSolid = materials.solid(mesh.faceOwner()[facei]);
+        bool neiSolid = false;
+        bool holds = true;
+
+        if (mesh.isInternalFace(facei))
+        {
+            neiSolid = materials.solid(mesh.faceNeighbour()[facei]);
+            eliminated_[i] = ownSolid != neiSolid;
+        }
+        else
+        {
+            const label patchi = mesh.boundaryMesh().whichPatch(facei);
+            const polyPatch& pp = mesh.boundaryMesh()[patchi];
+
+            if (pp.coupled())
+            {
+                neiSolid =
+                    materials.materials()
+                    [
+                        materialBeyond[facei - mesh.nInternalFaces()]
+                    ].solid();
+                holds = refCast<const coupledPolyPatch>(pp).owner();
+                sharesFaces_ = sharesFaces_ || (ownSolid && neiSolid);
+            }
+            eliminated_[i] = ownSolid && !neiSolid;
+        }
+
+        if (ownSolid && neiSolid && holds)
+        {
+            faceNode_[i] = nOwn_++;
+        }
+    }
+
+    reduce(sharesFaces_, orOp<bool>());
+}
+
+
+void Foam::solidNodes::setBeyond()
+{
+    const fvMesh& mesh = geometry_.mesh();
+    const label nInternal = mesh.nInternalFaces();
+    const label nBoundary = mesh.nFaces() - nInternal;
+
+    nAll_ = nOwn_;
+
+    if (!geometry_.anyCoupled())
+    {
+        return;
+    }
+
+    // The node of this side that the other side needs
+    labelField node(nBoundary, -1);
+    bitSet shared(nBoundary);
+
+    for (const label facei : geometry_.cellsAndFaces(true).coupled)
+    {
+        node[facei - nInternal] = cellNode_[mesh.faceOwner()[facei]];
+        shared.set(facei - nInternal);
+    }
+    forAll(faceNode_, i)
+    {
+        const label facei = geometry_.unknownFaces()[i];
+
+        if
+        (
+            geometry_.coupled(facei)
+         && !eliminated_[i]
+         && cellNode_[mesh.faceOwner()[facei]] >= 0
+        )
+        {
+            node[facei - nInternal] = faceNode_[i];
+            shared.set(facei - nInternal);
+        }
+    }
+
+    labelField beyondNode(node);
+    labelField process(nBoundary, Pstream::myProcNo());
+    geometry_.swap(beyondNode);
+    geometry_.swap(process);
+
+    beyond_.transfer(beyondNode);
+    rotation_.setSize(nBoundary, tensor::I);
+    for (direction k = 0; k < vector::nComponents; ++k)
+    {
+        vector unit(Zero);
+        unit[k] = 1;
+        vectorField rotated(nBoundary, unit);
+        geometry_.swap(rotated);
+
+        forAll(rotated, i)
+        {
+            for (direction j = 0; j < vector::nComponents; ++j)
+            {
+                rotation_[i](j, k) = rotated[i][j];
+            }
+        }
+    }
+
+    DynamicList<coupledFace> faces;
+    for (label i = 0; i < nBoundary; ++i)
+    {
+        if (!shared.test(i))
+        {
+            beyond_[i] = -1;
+        }
+        else if (process[i] != Pstream::myProcNo())
+        {
+            // The exchange rotates
+            rotation_[i] = tensor::I;
+            if (beyond_[i] >= 0)
+            {
+                beyond_[i] = nAll_++;
+            }
+            faces.append(coupledFace{nInternal + i, node[i], beyond_[i]});
+        }
+    }
+    coupledFaces_.transfer(faces);
+    exchanges_ = returnReduce(coupledFaces_.size() > 0, orOp<bool>());
+}
+
+
+Foam::vector Foam::solidNodes::get
+(
+    const Eigen::VectorXd& x,
+    const label node
+) const
+{
+    const label d = blockSize();
+    vector v(Zero);
+
+    for (label k = 0; k < d; ++k)
+    {
+        v[directions_[k]] = x[d*node + k];
+    }
+
+    return v;
+}
+
+
+void Foam::solidNodes::add
+(
+    Eigen::VectorXd& x,
+    const label node,
+    const vector& v
+) const
+{
+    const label d = blockSize();
+
+    for (label k = 0; k < d; ++k)
+    {
+        x[d*node + k] += v[directions_[k]];
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::solidNodes::solidNodes(const fluxGeometry& geometry)
+:
+    geometry_(geometry),
+    directions_(),
+    nOwn_(0),
+    nAll_(0),
+    cellNode_(geometry.mesh().nCells(), -1),
+    faceNode_(geometry.unknownFaces().size(), -1),
+    eliminated_(faceNode_.size(), false),
+    exchanges_(false),
+    sharesFaces_(false)
+{
+    for (direction k = 0; k < vector::nComponents; ++k)
+    {
+        if (geometry.mesh().solutionD()[k] > 0)
+        {
+            directions_.append(k);
+        }
+    }
+
+    setOwn();
+    setBeyond();
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::label Foam::solidNodes::beyond(const label facei) const
+{
+    return beyond_[facei - geometry_.mesh().nInternalFaces()];
+}
+
+
+const Foam::tensor& Foam::solidNodes::rotation(const label facei) const
+{
+    return rotation_[facei - geometry_.mesh().nInternalFaces()];
+}
+
+
+void Foam::solidNodes::toNodes
+(
+    const unifiedVector& v,
+    Eigen::VectorXd& x
+) const
+{
+    x.setZero(blockSize()*nOwn_);
+
+    for (const label celli : geometry_.cellsAndFaces(true).cells)
+    {
+        add(x, cellNode_[celli], v.U[celli]);
+    }
+    forAll(faceNode_, i)
+    {
+        if (faceNode_[i] >= 0)
+        {
+            add(x, faceNode_[i], v.Uf[i]);
+        }
+    }
+}
+
+
+void Foam::solidNodes::fromNodes
+(
+    const Eigen::VectorXd& x,
+    unifiedVector& v
+) const
+{
+    for (const label celli : geometry_.cellsAndFaces(true).cells)
+    {
+        v.U[celli] = get(x, cellNode_[celli]);
+    }
+    forAll(faceNode_, i)
+    {
+        if (faceNode_[i] >= 0)
+        {
+            v.Uf[i] = get(x, faceNode_[i]);
+        }
+    }
+
+    if (!sharesFaces_)
+    {
+        return;
+    }
+
+    // The side without the node takes the other's value
+    const fvMesh& mesh = geometry_.mesh();
+    vectorField sides(mesh.nFaces() - mesh.nInternalFaces(), Zero);
+
+    forAll(faceNode_, i)
+    {
+        const label facei = geometry_.unknownFaces()[i];
+        if (faceNode_[i] >= 0 && !mesh.isInternalFace(facei))
+        {
+            sides[facei - mesh.nInternalFaces()] = v.Uf[i];
+        }
+    }
+
+    geometry_.swap(sides);
+
+    forAll(faceNode_, i)
+    {
+        const label facei = geometry_.unknownFaces()[i];
+        if
+        (
+            faceNode_[i] < 0
+         && !eliminated_[i]
+         && geometry_.coupled(facei)
+         && cellNode_[mesh.faceOwner()[facei]] >= 0
+        )
+        {
+            v.Uf[i] = sides[facei - mesh.nInternalFaces()];
+        }
+    }
+}
+
+
+Eigen::VectorXd Foam::solidNodes::reduced(const vector& v) const
+{
+    Eigen::VectorXd x(Eigen::VectorXd::Zero(blockSize()));
+    add(x, 0, v);
+
+    return x;
+}
+
+
+Foam::vector Foam::solidNodes::full(const Eigen::VectorXd& x) const
+{
+    return get(x, 0);
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,164 @@
+/*---------------------------------------------------------------------------*\
+  umfsiFoam: fluid-structure interaction with one momentum equation
+-------------------------------------------------------------------------------
+License
+    This file is part of umfsiFoam.
+
+    umfsiFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by
+    the Free Software Foundation, either version 3 of the License, or
+    (at your option) any later version.
+
+    umfsiFoam is distributed in the hope that it will be useful, but WITHOUT
+    ANY WARRANTY; without even the implied warranty of MERCHANTABILITY or
+    FITNESS FOR A PARTICULAR PURPOSE.  See the GNU General Public License
+    for more details.
+
+    You should have received a copy of the GNU General Public License
+    along with umfsiFoam.  If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+
+#include "solidStiffness.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::solidStiffness::setLocal()
+{
+    if (!nodes_.exchanges())
+    {
+        return;
+    }
+
+    const DynamicList<direction>& directions = nodes_.directions();
+    const label d = directions.size();
+
+    // Columns of own nodes come first in each row
+    for (label row = 0; row < local_.rows(); ++row)
+    {
+        const double* from = matrix_.valuePtr() + matrix_.outerIndexPtr()[row];
+        double* to = local_.valuePtr() + local_.outerIndexPtr()[row];
+        const label n =
+            local_.outerIndexPtr()[row + 1] - local_.outerIndexPtr()[row];
+
+        std::copy(from, from + n, to);
+    }
+
+    // What other processes add to the diagonal
+    tensorField diagonal(nodes_.nAll(), Zero);
+    for (label nodei = nodes_.nOwn(); nodei < nodes_.nAll(); ++nodei)
+    {
+        for (label k = 0; k < d; ++k)
+        {
+            for (label l = 0; l < d; ++l)
+            {
+                diagonal[nodei](directions[k], directions[l]) =
+                    matrix_.coeff(d*nodei + k, d*nodei + l);
+            }
+        }
+    }
+
+    nodes_.collect(diagonal);
+
+    forAll(diagonal, nodei)
+    {
+        if (mag(diagonal[nodei]) > 0)
+        {
+            for (label k = 0; k < d; ++k)
+            {
+                for (label l = 0; l < d; ++l)
+                {
+                    local_.coeffRef(d*nodei + k, d*nodei + l) +=
+                        diagonal[nodei](directions[k], directions[l]);
+                }
+            }
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::solidStiffness::multiply
+(
+    Eigen::VectorXd x,
+    Eigen::VectorXd& y
+) const
+{
+    nodes_.extend(x);
+    y = matrix_*x;
+    nodes_.collect(y);
+}
+
+
+void Foam::solidStiffness::eliminate
+(
+    const unifiedVector& r,
+    Eigen::VectorXd& rc
+) const
+{
+    const label d = nodes_.blockSize();
+
+    nodes_.toNodes(r, rc);
+    rc.conservativeResize(d*nodes_.nAll());
+    rc.tail(d*(nodes_.nAll() - nodes_.nOwn())).setZero();
+
+    for (const freeFaces& f : free_)
+    {
+        Eigen::VectorXd rf(d*f.faces.size());
+        forAll(f.faces, i)
+        {
+            rf.segment(d*i, d) = nodes_.reduced(r.Uf[f.faces[i]]);
+        }
+
+        const Eigen::VectorXd y(f.invKff*rf);
+        const Eigen::VectorXd change(f.Kfc.transpose()*y);
+
+        forAll(f.nodes, i)
+        {
+            rc.segment(d*f.nodes[i], d) -= change.segment(d*i, d);
+        }
+    }
+
+    nodes_.collect(rc);
+}
+
+
+void Foam::solidStiffness::expand
+(
+    const unifiedVector& r,
+    Eigen::VectorXd x,
+    unifiedVector& v
+) const
+{
+    const label d = nodes_.blockSize();
+
+    nodes_.fromNodes(x, v);
+    nodes_.extend(x);
+
+    for (const freeFaces& f : free_)
+    {
+        Eigen::VectorXd xc(d*f.nodes.size());
+        forAll(f.nodes, i)
+        {
+            xc.segment(d*i, d) = x.segment(d*f.nodes[i], d);
+        }
+
+        Eigen::VectorXd rf(d*f.faces.size());
+        forAll(f.faces, i)
+        {
+            rf.segment(d*i, d) = nodes_.reduced(r.Uf[f.faces[i]]);
+        }
+        rf -= f.Kfc*xc;
+
+        const Eigen::VectorXd xf(f.invKff*rf);
+        forAll(f.faces, i)
+        {
+            v.Uf[f.faces[i]] = nodes_.full(xf.segment(d*i, d));
+        }
+    }
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,313 @@
+/*---------------------------------------------------------------------------*\
+  umfsiFoam: fluid-structure interaction with one momentum equation
+-------------------------------------------------------------------------------
+License
+    This file is part of umfsiFoam.
+
+    umfsiFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by
+    the Free Software Foundation, either version 3 of the License, or
+    (at your option) any later version.
+
+    umfsiFoam is distributed in the hope that it will be useful, but WITHOUT
+    ANY WARRANTY; without even the implied warranty of MERCHANTABILITY or
+    FITNESS FOR A PARTICULAR PURPOSE.  See the GNU General Public License
+    for more details.
+
+    You should have received a copy of the GNU General Public License
+    along with umfsiFoam.  If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+
+#include "solidStiffness.H"
+#include <algorithm>
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::label Foam::solidStiffness::place
+(
+    const label nodei,
+    const label nodej
+) const
+{
+    const auto first = columns_.begin() + start_[nodei];
+    const auto last = columns_.begin() + start_[nodei + 1];
+
+    return std::lower_bound(first, last, nodej) - columns_.begin();
+}
+
+
+template<class Block>
+void Foam::solidStiffness::add
+(
+    const label nodei,
+    const label place,
+    const Block& block,
+    double* values
+) const
+{
+    const label d = nodes_.blockSize();
+    const label rowSize = d*(start_[nodei + 1] - start_[nodei]);
+
+    double* row = values + d*d*start_[nodei] + d*(place - start_[nodei]);
+
+    for (label k = 0; k < d; ++k)
+    {
+        for (label l = 0; l < d; ++l)
+        {
+            row[k*rowSize + l] += block(k, l);
+        }
+    }
+}
+
+
+void Foam::solidStiffness::setPattern(cellStiffness& cell)
+{
+    const label d = nodes_.blockSize();
+    const label n = nodes_.nAll();
+
+    std::vector<std::vector<label>> rows(n);
+    for (label nodei = 0; nodei < n; ++nodei)
+    {
+        rows[nodei].push_back(nodei);
+    }
+
+    std::vector<label> nodes;
+
+    for (const label celli : nodes_.geometry().cellsAndFaces(true).cells)
+    {
+        nodes.clear();
+        for (const cellStiffness::velocity& v : cell.set(celli))
+        {
+            if (v.node >= 0)
+            {
+                nodes.push_back(v.node);
+            }
+        }
+        for (const label nodei : nodes)
+        {
+            rows[nodei].insert(rows[nodei].end(), nodes.begin(), nodes.end());
+        }
+    }
+
+    start_.assign(1, 0);
+    columns_.clear();
+
+    for (std::vector<label>& row : rows)
+    {
+        std::sort(row.begin(), row.end());
+        row.erase(std::unique(row.begin(), row.end()), row.end());
+        columns_.insert(columns_.end(), row.begin(), row.end());
+        start_.push_back(columns_.size());
+    }
+
+    matrix_ = blockPattern(d, n, start_, columns_, n);
+
+    if (nodes_.exchanges())
+    {
+        const label nOwn = nodes_.nOwn();
+        local_ = blockPattern(d, nOwn, start_, columns_, nOwn);
+    }
+}
+
+
+void Foam::solidStiffness::setValues(cellStiffness& cell)
+{
+    const DynamicList<direction>& directions = nodes_.directions();
+    const label d = directions.size();
+
+    base_.assign(matrix_.nonZeros(), 0);
+
+    for (const label celli : nodes_.geometry().cellsAndFaces(true).cells)
+    {
+        const DynamicList<cellStiffness::velocity>& v = cell.set(celli);
+
+        DynamicList<label> nodes, faces;
+        for (const cellStiffness::velocity& vi : v)
+        {
+            if (vi.node >= 0 && !nodes.found(vi.node))
+            {
+                nodes.append(vi.node);
+            }
+            if (vi.face >= 0)
+            {
+                faces.append(vi.face);
+            }
+        }
+
+        freeFaces f;
+        f.Kff.setZero(d*faces.size(), d*faces.size());
+        f.Kfc.setZero(d*faces.size(), d*nodes.size());
+        Eigen::MatrixXd K(d, d);
+
+        forAll(v, i)
+        {
+            forAll(v, j)
+            {
+                const bool given =
+                    (v[i].node < 0 && v[i].face < 0)
+                 || (v[j].node < 0 && v[j].face < 0);
+
+                if (given || (v[i].node >= 0 && v[j].face >= 0))
+                {
+                    continue;
+                }
+
+                const tensor block(cell.block(i, j));
+                for (label k = 0; k < d; ++k)
+                {
+                    for (label l = 0; l < d; ++l)
+                    {
+                        K(k, l) = block(directions[k], directions[l]);
+                    }
+                }
+
+                if (v[i].node >= 0)
+                {
+                    add
+                    (
+                        v[i].node,
+                        place(v[i].node, v[j].node),
+                        K,
+                        base_.data()
+                    );
+                }
+                else if (v[j].node >= 0)
+                {
+                    f.Kfc.block
+                    (
+                        d*faces.find(v[i].face),
+                        d*nodes.find(v[j].node),
+                        d,
+                        d
+                    ) += K;
+                }
+                else
+                {
+                    f.Kff.block
+                    (
+                        d*faces.find(v[i].face),
+                        d*faces.find(v[j].face),
+                        d,
+                        d
+                    ) += K;
+                }
+            }
+        }
+
+        if (faces.empty())
+        {
+            continue;
+        }
+
+        // A slip face has no normal velocity: keep the matrix regular
+        for (const cellStiffness::velocity& vi : v)
+        {
+            if (vi.face >= 0)
+            {
+                const label i = faces.find(vi.face);
+                const scalar size = f.Kff.block(d*i, d*i, d, d).trace();
+                const tensor normal(size*(tensor::I - vi.T));
+
+                for (label k = 0; k < d; ++k)
+                {
+                    for (label l = 0; l < d; ++l)
+                    {
+                        f.Kff(d*i + k, d*i + l) +=
+                            normal(directions[k], directions[l]);
+                    }
+                }
+            }
+        }
+
+        for (const label nodei : nodes)
+        {
+            for (const label nodej : nodes)
+            {
+                f.places.append(place(nodei, nodej));
+            }
+        }
+        f.faces.transfer(faces);
+        f.nodes.transfer(nodes);
+        free_.push_back(std::move(f));
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::solidStiffness::solidStiffness
+(
+    const solidNodes& nodes,
+    const stressFlux& stress
+)
+:
+    nodes_(nodes)
+{
+    cellStiffness cell(nodes, stress);
+
+    setPattern(cell);
+    setValues(cell);
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::solidStiffness::update
+(
+    const scalarField& cellDiagonal,
+    const vectorField& faceDiagonal
+)
+{
+    const DynamicList<direction>& directions = nodes_.directions();
+    const label d = directions.size();
+    double* values = matrix_.valuePtr();
+
+    std::copy(base_.begin(), base_.end(), values);
+
+    for (const label celli : nodes_.geometry().cellsAndFaces(true).cells)
+    {
+        const label nodei = nodes_.ofCell(celli);
+        const Eigen::MatrixXd diagonal
+        (
+            cellDiagonal[celli]*Eigen::MatrixXd::Identity(d, d)
+        );
+        add(nodei, place(nodei, nodei), diagonal, values);
+    }
+
+    for (freeFaces& f : free_)
+    {
+        Eigen::MatrixXd Kff(f.Kff);
+        forAll(f.faces, i)
+        {
+            for (label k = 0; k < d; ++k)
+            {
+                Kff(d*i + k, d*i + k) +=
+                    faceDiagonal[f.faces[i]][directions[k]];
+            }
+        }
+        f.invKff = Kff.inverse();
+
+        const Eigen::MatrixXd K(-f.Kfc.transpose()*f.invKff*f.Kfc);
+        label pair = 0;
+        forAll(f.nodes, i)
+        {
+            forAll(f.nodes, j)
+            {
+                add
+                (
+                    f.nodes[i],
+                    f.places[pair++],
+                    K.block(d*i, d*j, d, d),
+                    values
+                );
+            }
+        }
+    }
+
+    setLocal();
+}
+
+
+// ************************************************************************* //
