@@ -228,6 +228,7 @@ void Foam::enclosedFluids::solveModes(solidSolver& solid)
         y_.scale(-1);
 
         mode.setZero();
+        solid.start();
         solid.solve(y_, controls, mode);
         mode.p = unit.p;
     }

@@ -72,6 +72,7 @@ void Foam::solidSolver::choosePreconditioner()
             solidPreconditioner::New(name, op_, block_, faces_);
         preconditionerName_ = name;
         preconditioner_->update();
+        exact_ = false;
     }
 }
 
@@ -167,6 +168,7 @@ Foam::solidSolver::solidSolver
     y_(x_),
     s_(x_),
     oldS_(x_),
+    exact_(false),
     warned_(false)
 {}
 
@@ -278,13 +280,17 @@ Foam::label Foam::solidSolver::solve
 
     choosePreconditioner();
 
-    if (maxIter == 0)
+    if (maxIter == 0 || exact_)
     {
         preconditioner_->solveOnce(r_, x_);
     }
     else
     {
         conjugateGradients(tolerance, maxIter, nIterations);
+
+        // Where it is one by construction: the matrix is that of orthogonal
+        // meshes. Elsewhere some residual may just be an easy one
+        exact_ = nIterations == 1 && !geometry.skewed();
 
         if (debug)
         {

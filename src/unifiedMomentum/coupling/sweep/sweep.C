@@ -443,6 +443,8 @@ void Foam::sweep::update()
         setPressure();
         enclosed_.update(solid_);
     }
+
+    solid_.start();
 }
 
 

@@ -26,6 +26,34 @@ License
 #include <Eigen/Eigenvalues>
 #include <map>
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+    //- What each process has put at its own place, for all processes
+    template<class ListType>
+    static void gatherAll(List<ListType>& lists)
+    {
+        reduce
+        (
+            lists,
+            [](const List<ListType>& a, const List<ListType>& b)
+            {
+                List<ListType> both(a);
+                forAll(both, proci)
+                {
+                    if (both[proci].empty())
+                    {
+                        both[proci] = b[proci];
+                    }
+                }
+                return both;
+            }
+        );
+    }
+}
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::rigidCoarseSpace::orthonormalise
@@ -115,8 +143,7 @@ void Foam::rigidCoarseSpace::setPairs()
 
     pairs_.setSize(Pstream::nProcs());
     pairs_[Pstream::myProcNo()].transfer(pairs);
-    Pstream::gatherList(pairs_);
-    Pstream::scatterList(pairs_);
+    gatherAll(pairs_);
 }
 
 
@@ -134,11 +161,10 @@ Foam::rigidCoarseSpace::rigidCoarseSpace
     aggregate_(aggregates),
     nAggregates_(0)
 {
-    labelList sizes(Pstream::nProcs(), 0);
+    labelField sizes(Pstream::nProcs(), 0);
     sizes[Pstream::myProcNo()] =
         aggregates.empty() ? 0 : max(aggregates) + 1;
-    Pstream::gatherList(sizes);
-    Pstream::scatterList(sizes);
+    reduce(sizes, sumOp<labelField>());
 
     label first = 0;
     forAll(sizes, proci)
@@ -150,10 +176,9 @@ Foam::rigidCoarseSpace::rigidCoarseSpace
         nAggregates_ += sizes[proci];
     }
 
-    missing_.setSize(modes.cols()*nAggregates_, false);
+    missing_.setSize(modes.cols()*nAggregates_, 0);
     orthonormalise(sizes[Pstream::myProcNo()], first);
-    Pstream::listCombineGather(missing_, orEqOp<bool>());
-    Pstream::listCombineScatter(missing_);
+    reduce(missing_, sumOp<labelField>());
 
     for (label& a : aggregate_)
     {
@@ -210,8 +235,7 @@ void Foam::rigidCoarseSpace::update()
         }
     }
 
-    Pstream::gatherList(values);
-    Pstream::scatterList(values);
+    gatherAll(values);
 
     std::vector<Eigen::Triplet<double>> entries;
     forAll(values, proci)
@@ -257,7 +281,7 @@ Eigen::VectorXd Foam::rigidCoarseSpace::solve(const Eigen::VectorXd& r) const
     const label nOwn = stiffness_.nodes().nOwn();
     const label nModes = modes_.cols();
 
-    scalarList sums(nModes*nAggregates_, 0.0);
+    scalarField sums(nModes*nAggregates_, 0);
     Eigen::Map<Eigen::VectorXd> b(sums.data(), sums.size());
 
     for (label nodei = 0; nodei < nOwn; ++nodei)
@@ -266,10 +290,15 @@ Eigen::VectorXd Foam::rigidCoarseSpace::solve(const Eigen::VectorXd& r) const
             modes_.middleRows(d*nodei, d).transpose()*r.segment(d*nodei, d);
     }
 
-    Pstream::listCombineGather(sums, plusEqOp<scalar>());
-    Pstream::listCombineScatter(sums);
-
-    const Eigen::VectorXd c(coarse_.solve(b));
+    // The sum has other storage
+    reduce(sums, sumOp<scalarField>());
+    const Eigen::VectorXd c
+    (
+        coarse_.solve
+        (
+            Eigen::Map<const Eigen::VectorXd>(sums.cdata(), sums.size())
+        )
+    );
     Eigen::VectorXd x(d*nOwn);
 
     for (label nodei = 0; nodei < nOwn; ++nodei)
