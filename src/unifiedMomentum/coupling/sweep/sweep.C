@@ -108,6 +108,11 @@ void Foam::sweep::setPressure()
             geometry.V()[celli]/op_.flux().stokesDiag()[celli];
 
         D_[celli] = pow(fast, 0.25)*pow(slow, 0.75);
+
+        // Of what viscosity resists: exact would be 1, but where it does not
+        // rule that takes more sweeps
+        viscous_[celli] =
+            0.75*geometry.materials()[celli].shear()/geometry.V()[celli];
     }
 
     const auto coefficient = [&](const label facei, const scalar DN)
@@ -317,7 +322,7 @@ void Foam::sweep::correct(unifiedVector& dz)
 
     for (const label celli : geometry.cellsAndFaces(false).cells)
     {
-        dz.p[celli] += dp_[celli];
+        dz.p[celli] += dp_[celli] + viscous_[celli]*rp_[celli];
 
         for (direction k = 0; k < vector::nComponents; ++k)
         {
@@ -366,6 +371,7 @@ Foam::sweep::sweep(unifiedOperator& op)
     diag_(op.geometry().mesh().nCells(), vector::one),
     D_(op.geometry().mesh().nCells(), 0),
     faceD_(op.geometry().mesh().nFaces(), 0),
+    viscous_(D_),
     solid_(op, solidMomentum_, ownSide_, neiSide_),
     enclosed_
     (
