@@ -21,6 +21,7 @@ License
 
 #include "unifiedSystem.H"
 #include "cellPlace.H"
+#include "ListOps.H"
 #include "OStringStream.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -175,7 +176,6 @@ void Foam::unifiedSystem::checkConverged()
         << "Not converged at time " << mesh_.time().timeName()
         << " in " << nSweeps_ << " sweeps:";
 
-    label worst = 0;
     forAll(relative_, i)
     {
         if (relative_[i] > tolerance_[i])
@@ -184,12 +184,9 @@ void Foam::unifiedSystem::checkConverged()
                 << ' ' << blockNames[i] << ' ' << relative_[i] << " > "
                 << tolerance_[i];
         }
-        if (relative_[i] > relative_[worst])
-        {
-            worst = i;
-        }
     }
 
+    const label worst = findMax(relative_);
     const bool lost = relative_[worst] > 1;
     const bool tooMany = nUnconverged_ >= maxUnconverged_;
 
@@ -233,14 +230,7 @@ void Foam::unifiedSystem::failKrylov()
     relativeResiduals(z_, r_, relative_, scale);
     checkFinite();
 
-    label worst = 0;
-    forAll(relative_, i)
-    {
-        if (relative_[i] > relative_[worst])
-        {
-            worst = i;
-        }
-    }
+    const label worst = findMax(relative_);
     const string where(worstCell(worst));
 
     FatalErrorInFunction
