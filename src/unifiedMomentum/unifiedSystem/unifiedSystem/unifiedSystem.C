@@ -20,13 +20,10 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "unifiedSystem.H"
-#include "faceValue.H"
-#include "linear.H"
-#include "onDisk.H"
-#include "patchConditions.H"
-#include "readGravity.H"
+#include "fieldCheck.H"
 #include "laminarStress.H"
-#include "momentumOptions.H"
+#include "patchCheck.H"
+#include "startFields.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -35,59 +32,11 @@ namespace Foam
     defineTypeNameAndDebug(unifiedSystem, 0);
 }
 
-const Foam::wordList Foam::unifiedSystem::blockNames
-({
-    "fluidMomentum", "solidMomentum", "interfaceTraction", "continuity"
-});
-
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace Foam
 {
-    //- A field of the time directory
-    static IOobject fieldIO
-    (
-        const word& name,
-        const fvMesh& mesh,
-        const IOobject::readOption read = IOobject::MUST_READ,
-        const IOobject::writeOption write = IOobject::AUTO_WRITE
-    )
-    {
-        return IOobject
-        (
-            name,
-            mesh.time().timeName(),
-            mesh,
-            read,
-            write
-        );
-    }
-
-
-    //- A field of the time directory, if there is one, of the right class
-    template<class FieldType>
-    static IOobject optionalIO(const word& name, const fvMesh& mesh)
-    {
-        onDisk<FieldType>(fieldIO(name, mesh));
-
-        return fieldIO(name, mesh, IOobject::READ_IF_PRESENT);
-    }
-
-
-    //- Change a field at its time and at those before
-    template<class FieldType, class Change>
-    static void forAllLevels(FieldType& field, const Change& change)
-    {
-        change(field);
-
-        if (field.nOldTimes())
-        {
-            forAllLevels(field.oldTime(), change);
-        }
-    }
-
-
     //- Fail on a mesh with cells inside out or of no finite size
     static fvMesh& checkedMesh(fvMesh& mesh)
     {
@@ -116,227 +65,81 @@ namespace Foam
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::unifiedSystem::clearOthers()
+void Foam::unifiedSystem::startFromDisk()
 {
-    const labelList solids(materials_.cells(true));
-    const labelList fluids(materials_.cells(false));
+    startFields start(fields_, flux_.geometry());
 
-    const auto clearD = [&](volVectorField& D)
+    // A restart reads the previous levels with the fields
+    scheme_.setHaveOldOld(start.isRestart());
+    start.setFaces();
+
+    if (!start.isRestart())
     {
-        UIndirectList<vector>(D.primitiveFieldRef(), fluids) = vector::zero;
+        validity_.checkStart(fields_.U());
+    }
 
-        volVectorField::Boundary& Db = D.boundaryFieldRef();
-        forAll(Db, patchi)
-        {
-            forAll(Db[patchi], i)
-            {
-                if (!materials_.solid(Db[patchi].patch().faceCells()[i]))
-                {
-                    Db[patchi][i] = Zero;
-                }
-            }
-        }
-    };
-    const auto clearScalar = [&](volScalarField& field)
-    {
-        UIndirectList<scalar>(field.primitiveFieldRef(), solids) = 0;
-    };
-
-    forAllLevels(D_, clearD);
-    forAllLevels(p_, clearScalar);
-    forAllLevels(continuityError_, clearScalar);
+    start.setFlux();
+    fields_.keepLevels();
 }
 
 
-void Foam::unifiedSystem::startFaces(const bool haveUf, const bool haveDf)
+void Foam::unifiedSystem::tryOut()
 {
-    const fluxGeometry& geometry = flux_.geometry();
-    const labelUList& own = mesh_.faceOwner();
-    const vectorField UN(geometry.neighbourValues(U_.primitiveField()));
-
-    for (const label facei : geometry.unknownFaces())
-    {
-        if (haveUf)
-        {
-            break;
-        }
-
-        if (geometry.kind(facei) == fluxGeometry::INTERFACE)
-        {
-            const scalar hP = geometry.hOwn()[facei];
-            const scalar hN = geometry.hNei()[facei];
-            const vector& uN =
-                mesh_.isInternalFace(facei)
-              ? U_[mesh_.faceNeighbour()[facei]]
-              : UN[facei - mesh_.nInternalFaces()];
-
-            faceValue(Uf_, facei) = (hN*U_[own[facei]] + hP*uN)/(hP + hN);
-        }
-        else
-        {
-            const label patchi = mesh_.boundaryMesh().whichPatch(facei);
-            faceValue(Uf_, facei) =
-                U_.boundaryField()[patchi]
-                [
-                    facei - mesh_.boundaryMesh()[patchi].start()
-                ];
-        }
-    }
-
-    if (!haveDf)
-    {
-        extrapolateDisplacement();
-    }
+    flux_.setBetaDt(mesh_.time().deltaTValue());
+    flux_.updateBoundary(fields_.U(), fields_.p());
+    flux_.setConvection(fields_.phi(), fields_.U());
+    system_.tryOut();
 }
 
 
-void Foam::unifiedSystem::startPatchFlux()
+void Foam::unifiedSystem::startPatches()
 {
-    surfaceScalarField::Boundary& phib = phi_.boundaryFieldRef();
-
-    const auto set = [&](const bool ofCells)
-    {
-        forAll(phib, patchi)
-        {
-            const fvPatchVectorField& U = U_.boundaryField()[patchi];
-
-            if (!U.coupled())
-            {
-                phib[patchi] =
-                    U.patch().Sf()
-                  & (
-                        ofCells && !patchConditions::fixes(U)
-                      ? vectorField(U.patchInternalField())
-                      : static_cast<const vectorField&>(U)
-                    );
-            }
-        }
-    };
-
-    // Conditions may ask for the direction of the flow
-    set(true);
-    U_.correctBoundaryConditions();
-    set(false);
+    patches_.start();
+    flux_.updateBoundary(fields_.U(), fields_.p());
 }
 
 
-void Foam::unifiedSystem::extrapolateDisplacement()
+void Foam::unifiedSystem::takeUnknowns()
 {
-    const fluxGeometry& geometry = flux_.geometry();
-    const fluxGeometry::zone& solid = geometry.cellsAndFaces(true);
-    const labelUList& own = mesh_.faceOwner();
-    const labelUList& nei = mesh_.faceNeighbour();
-    const label nInternal = mesh_.nInternalFaces();
-
-    vectorField df(mesh_.nFaces(), Zero);
-    vectorField weight(mesh_.nFaces(), Zero);
-
-    for (const label facei : solid.ownSides)
-    {
-        if (geometry.kind(facei) == fluxGeometry::FIXED)
-        {
-            const label patchi = mesh_.boundaryMesh().whichPatch(facei);
-            df[facei] =
-                D_.boundaryField()[patchi]
-                [
-                    facei - mesh_.boundaryMesh()[patchi].start()
-                ];
-        }
-        weight[facei] += vector::one;
-    }
-    for (const label facei : solid.neiSides)
-    {
-        weight[facei] += vector::one;
-    }
-
-    // Linear continuation from the cells; the gradient depends on the face
-    // values, each pass halves the error
-    gaussGradient<vector> gradient(geometry, true);
-    tensorField G(mesh_.nCells(), Zero);
-    const vectorField& D = D_.primitiveField();
-
-    for (label pass = 0; pass < 40; ++pass)
-    {
-        vectorField sum(mesh_.nFaces(), Zero);
-
-        gradient.faceValues(D, df);
-        gradient.cellGradients(df, G);
-
-        for (const label facei : solid.ownSides)
-        {
-            sum[facei] +=
-                D[own[facei]] + (geometry.dOwn()[facei] & G[own[facei]]);
-        }
-        for (const label facei : solid.neiSides)
-        {
-            sum[facei] +=
-                D[nei[facei]] + (geometry.dNei()[facei] & G[nei[facei]]);
-        }
-
-        const vectorField sumBeyond(geometry.neighbourSides(sum));
-        const vectorField weightBeyond(geometry.neighbourSides(weight));
-
-        for (const label facei : geometry.unknownFaces())
-        {
-            vector total(sum[facei]);
-            scalar count = weight[facei].x();
-
-            if (geometry.coupled(facei))
-            {
-                total += sumBeyond[facei - nInternal];
-                count += weightBeyond[facei - nInternal].x();
-            }
-
-            if (count > 0)
-            {
-                df[facei] = total/count;
-            }
-
-            if (geometry.kind(facei) == fluxGeometry::SLIP)
-            {
-                df[facei] = geometry.tangential(facei, df[facei]);
-            }
-        }
-    }
-
-    for (const label facei : solid.ownSides)
-    {
-        faceValue(Df_, facei) = df[facei];
-    }
-    for (const label facei : geometry.unknownFaces())
-    {
-        faceValue(Df_, facei) = df[facei];
-    }
+    fields_.fromUnknowns(flux_.geometry(), system_.z());
+    derived_.setFlux(system_.z());
+    patches_.correct();
 }
 
 
-void Foam::unifiedSystem::fieldsToUnknowns
-(
-    const volVectorField& U,
-    const surfaceVectorField& Uf,
-    const volScalarField& p,
-    unifiedVector& z
-) const
+void Foam::unifiedSystem::freeze()
 {
-    z.U = U.primitiveField();
-    z.p = p.primitiveField();
-
-    forAll(z.Uf, i)
-    {
-        z.Uf[i] = faceValue(Uf, flux_.geometry().unknownFaces()[i]);
-    }
+    flux_.setConvection(fields_.phi(), fields_.U());
+    forces_.set
+    (
+        fields_,
+        system_.mass(),
+        system_.known().force,
+        system_.source()
+    );
+    system_.update(fields_.phi());
+    system_.updateResidual();
 }
 
 
-void Foam::unifiedSystem::unknownsToFields(const unifiedVector& z)
+void Foam::unifiedSystem::extrapolate()
 {
-    U_.primitiveFieldRef() = z.U;
-    p_.primitiveFieldRef() = z.p;
+    unifiedVector z(system_.z());
+    scheme_.extrapolate(fields_, flux_.geometry(), system_.z(), z);
 
-    forAll(z.Uf, i)
-    {
-        faceValue(Uf_, flux_.geometry().unknownFaces()[i]) = z.Uf[i];
-    }
+    // Conditions that depend on the flow take the extrapolated one
+    scheme_.extrapolateFlux(fields_.phi());
+    fields_.fromUnknowns(flux_.geometry(), z);
+    startPatches();
+
+    // What schemes and options add explicitly takes the old one: of the
+    // extrapolated one it would grow at high Courant numbers
+    fields_.fromUnknowns(flux_.geometry(), system_.z());
+    patches_.correct();
+    freeze();
+
+    // An extrapolation over a sudden change would start further off
+    system_.takeIfBetter(z);
 }
 
 
@@ -349,182 +152,46 @@ Foam::unifiedSystem::unifiedSystem(fvMesh& mesh)
 
     mesh_(checkedMesh(mesh)),
     materials_(mesh),
-    p_
-    (
-        patchConditions::checkTypes<scalar>(fieldIO("p", mesh), materials_),
-        mesh
-    ),
-    U_
-    (
-        patchConditions::checkTypes<vector>(fieldIO("U", mesh), materials_),
-        mesh
-    ),
-    D_
-    (
-        optionalIO<volVectorField>("D", mesh),
-        mesh,
-        dimensionedVector("D", dimLength, Zero)
-    ),
-    sigma_
-    (
-        fieldIO("sigma", mesh, IOobject::NO_READ),
-        mesh,
-        dimensionedSymmTensor("sigma", dimPressure, Zero)
-    ),
-    traction_
-    (
-        fieldIO("traction", mesh, IOobject::NO_READ),
-        mesh,
-        dimensionedVector("traction", dimPressure, Zero)
-    ),
-    phi_
-    (
-        optionalIO<surfaceScalarField>("phi", mesh),
-        mesh,
-        dimensionedScalar("phi", dimVelocity*dimArea, 0)
-    ),
-    Uf_
-    (
-        optionalIO<surfaceVectorField>("Uf", mesh),
-        mesh,
-        dimensionedVector("Uf", dimVelocity, Zero)
-    ),
-    Df_
-    (
-        optionalIO<surfaceVectorField>("Df", mesh),
-        mesh,
-        dimensionedVector("Df", dimLength, Zero)
-    ),
-    continuityError_
-    (
-        optionalIO<volScalarField>("continuityError", mesh),
-        mesh,
-        dimensionedScalar("continuityError", dimless, 0)
-    ),
-    rho_
-    (
-        fieldIO("rho", mesh, IOobject::NO_READ, IOobject::NO_WRITE),
-        mesh,
-        dimensionedScalar("rho", dimDensity, 0)
-    ),
+    fields_(mesh, materials_),
     viscosity_(),
     stress_(),
-    g_(readGravity(mesh)),
-    fvOptions_(momentumOptions::New(mesh)),
-    flux_(materials_, U_, p_),
-    op_(flux_),
-    sweep_(op_),
-    krylov_
-    (
-        mesh.solutionDict().subDict("PIMPLE").subOrEmptyDict("krylov")
-    ),
-    z_(mesh.nCells(), flux_.geometry().unknownFaces().size()),
-    zOld_(z_),
-    r_(z_),
-    haveOldOld_(false),
-    tolerance_(nBlocks, 0.0),
-    nOuterCorrectors_(1),
-    stopIfNotConverged_(false),
-    maxUnconverged_(20),
-    nUnconverged_(0),
+    forces_(mesh),
+    flux_(materials_, fields_.U(), fields_.p()),
+    controls_(mesh),
+    system_(flux_, controls_),
+    time_(fields_, flux_.geometry()),
+    scheme_(mesh),
+    patches_(fields_, flux_),
+    derived_(fields_, flux_),
     picard_(0),
-    nSweeps_(0),
-    krylovConverged_(true),
-    relative_(nBlocks, 0.0),
-    elastic_(nBlocks, 0.0),
-    weight_(nBlocks, 1.0),
-    faceArea_(pow(flux_.geometry().V(), 2.0/3.0)),
     validity_(flux_.geometry()),
-    clock_()
+    report_(mesh.time())
 {
-    checkTime();
-    ddtScheme();
-    readControls();
-    checkFields();
-    checkPatches();
+    time_.check();
+    scheme_.check();
+    controls_.read();
+    fieldCheck::check(fields_);
+    patchCheck::check(fields_);
 
-    traction_.setOriented();
-
-    forAll(rho_, celli)
-    {
-        rho_[celli] = materials_[celli].rho();
-    }
-    // Conditions of patches ask for their density
-    forAll(rho_.boundaryField(), patchi)
-    {
-        fvPatchScalarField& rhop = rho_.boundaryFieldRef()[patchi];
-
-        if (!rhop.coupled())
-        {
-            rhop == scalarField(rhop.patchInternalField());
-        }
-    }
-    rho_.correctBoundaryConditions();
-    clearOthers();
+    fields_.clearOthers();
 
     viscosity_.reset(new laminarViscosity(mesh, materials_));
     stress_.reset
     (
         new laminarStress
         (
-            U_,
-            phi_,
+            fields_.U(),
+            fields_.phi(),
             viscosity_(),
-            p_,
-            rho_,
-            sigma_,
-            traction_
+            fields_.p(),
+            fields_.rho(),
+            fields_.sigma(),
+            fields_.traction()
         )
     );
 
-    const bool haveUf = onDisk<surfaceVectorField>(fieldIO("Uf", mesh));
-    const bool haveDf = onDisk<surfaceVectorField>(fieldIO("Df", mesh));
-    const bool havePhi = onDisk<surfaceScalarField>(fieldIO("phi", mesh));
-
-    // A restart reads the previous levels with the fields
-    haveOldOld_ =
-        haveUf && haveDf && havePhi
-     && Uf_.nOldTimes() > 0 && Df_.nOldTimes() > 0 && phi_.nOldTimes() > 0;
-
-    startFaces(haveUf, haveDf);
-
-    if (!haveOldOld_)
-    {
-        validity_.checkStart(U_);
-    }
-
-    known_.U.setSize(mesh.nCells(), Zero);
-    known_.D.cells = known_.U;
-    known_.D.faces.setSize(mesh.nFaces(), Zero);
-    known_.volumeError.setSize(mesh.nCells(), 0);
-    known_.force = known_.U;
-
-    fieldsToUnknowns(U_, Uf_, p_, z_);
-
-    if (!havePhi)
-    {
-        // Without the pressure's part: p need not belong to U at the start
-        const surfaceVectorField Ulinear(linearInterpolate(U_));
-        phi_ = mesh.Sf() & Ulinear;
-        startPatchFlux();
-    }
-
-    // From here on each step stores the two levels before it by itself, and
-    // the first of them is written
-    U_.oldTime().oldTime();
-    p_.oldTime().oldTime();
-    D_.oldTime().oldTime();
-    phi_.oldTime().oldTime();
-    Uf_.oldTime().oldTime();
-    Df_.oldTime().oldTime();
-    continuityError_.oldTime().oldTime();
-
-    // Fail on unknown schemes and solvers before the first step
-    flux_.setBetaDt(mesh.time().deltaTValue());
-    flux_.updateBoundary(U_, p_);
-    flux_.setConvection(phi_, U_);
-    sweep_.update();
-    sweep_.tryOut();
+    startFromDisk();
+    tryOut();
 }
 
 
@@ -549,6 +216,121 @@ Foam::unifiedSystem& Foam::unifiedSystem::of
     }
 
     return obr.lookupObjectRef<unifiedSystem>(typeName);
+}
+
+
+void Foam::unifiedSystem::limitDeltaT(Time& runTime) const
+{
+    time_.limitDeltaT(runTime);
+}
+
+
+void Foam::unifiedSystem::predict()
+{
+    picard_ = 0;
+
+    controls_.read();
+    scheme_.newStep();
+    flux_.setBetaDt(scheme_.betaDt());
+    scheme_.setKnown(fields_, flux_.geometry(), system_.known());
+    system_.start(fields_);
+
+    if (scheme_.haveOldOld())
+    {
+        extrapolate();
+    }
+    else
+    {
+        startPatches();
+        freeze();
+    }
+
+    scheme_.setHaveOldOld(true);
+}
+
+
+bool Foam::unifiedSystem::picard()
+{
+    if (picard_ > 0)
+    {
+        if (picard_ >= controls_.nOuterCorrectors())
+        {
+            return false;
+        }
+
+        // The residual with the flux and the conditions of the new velocity
+        takeUnknowns();
+        flux_.updateBoundary(fields_.U(), fields_.p());
+        freeze();
+
+        if (system_.passes())
+        {
+            return false;
+        }
+    }
+
+    ++picard_;
+
+    return true;
+}
+
+
+void Foam::unifiedSystem::solve()
+{
+    system_.solve();
+}
+
+
+void Foam::unifiedSystem::updateDisplacement()
+{
+    const unifiedVector& z = system_.z();
+    const unifiedOperator::known& known = system_.known();
+
+    system_.checkStep();
+
+    takeUnknowns();
+    derived_.setDisplacement(z, known.D);
+    derived_.setContinuityError(z, known.volumeError);
+    derived_.setStress(z, known.D);
+
+    validity_.checkStep
+    (
+        fields_.Df(),
+        flux_.stress(true).grad(),
+        flux_.betaDt()
+    );
+    forces_.correct(fields_.U());
+}
+
+
+void Foam::unifiedSystem::report() const
+{
+    report_.write
+    (
+        time_.courantNumber(),
+        picard_,
+        system_.nSweeps(),
+        system_.relative()
+    );
+}
+
+
+void Foam::unifiedSystem::conclude() const
+{
+    validity_.report();
+}
+
+
+Foam::energies Foam::unifiedSystem::energy()
+{
+    return energies(fields_, flux_, system_.mass());
+}
+
+
+Foam::List<Foam::enclosedFluids::region>
+Foam::unifiedSystem::enclosedRegions() const
+{
+    return system_.enclosed().regions(fields_.Df(), fields_.p());
 }
 
 
