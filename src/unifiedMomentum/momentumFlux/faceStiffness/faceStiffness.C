@@ -28,6 +28,7 @@ void Foam::faceStiffness::setSide
     const label facei,
     const label celli,
     const scalar h,
+    const scalar slender,
     const scalar mu,
     const scalar lambda,
     scalar& aT,
@@ -46,8 +47,13 @@ void Foam::faceStiffness::setSide
         }
         case material::LINKED:
         {
+            // Stretching along the long side of a slender cell, and the
+            // contraction across, which bending puts in
+            const scalar along = 4*mu*(mu + lambda)/(2*mu + lambda);
+            const scalar across = mu*(1 - sqr(lambda/(2*mu + lambda))/3);
+
             aT = mu*S/h;
-            aN = (4*mu*(mu + lambda)/(2*mu + lambda) - mu)*S/h;
+            aN = (slender*along + (1 - slender)*across - mu)*S/h;
             break;
         }
         case material::LOCKING_FREE:
@@ -73,6 +79,7 @@ Foam::faceStiffness::faceStiffness
 )
 :
     geometry_(geometry),
+    links_(links),
     ownAxis_(links.ownAxis()),
     neiAxis_(links.neiAxis()),
     hMin_(geometry.mesh().nCells(), GREAT),
@@ -125,6 +132,7 @@ void Foam::faceStiffness::set
             facei,
             own,
             geometry_.hOwn()[facei],
+            links_.ownSlender(facei),
             mu[owni],
             lambda[owni],
             ownT_[facei],
@@ -141,6 +149,7 @@ void Foam::faceStiffness::set
                 facei,
                 nei,
                 geometry_.hNei()[facei],
+                links_.neiSlender(facei),
                 mu[neii],
                 lambda[neii],
                 neiT_[facei],
