@@ -27,6 +27,7 @@ void Foam::faceStiffness::setSide
 (
     const label facei,
     const label celli,
+    const vector& dx,
     const scalar h,
     const scalar slender,
     const scalar mu,
@@ -52,8 +53,11 @@ void Foam::faceStiffness::setSide
             const scalar along = 4*mu*(mu + lambda)/(2*mu + lambda);
             const scalar across = mu*(1 - sqr(lambda/(2*mu + lambda))/3);
 
-            aT = mu*S/h;
-            aN = (slender*along + (1 - slender)*across - mu)*S/h;
+            // On slanted faces |S|/h would be too stiff
+            const scalar Sh = S*h/magSqr(dx);
+
+            aT = mu*Sh;
+            aN = (slender*along + (1 - slender)*across - mu)*Sh;
             break;
         }
         case material::LOCKING_FREE:
@@ -131,6 +135,7 @@ void Foam::faceStiffness::set
         (
             facei,
             own,
+            geometry_.dOwn()[facei],
             geometry_.hOwn()[facei],
             links_.ownSlender(facei),
             mu[owni],
@@ -148,6 +153,7 @@ void Foam::faceStiffness::set
             (
                 facei,
                 nei,
+                geometry_.dNei()[facei],
                 geometry_.hNei()[facei],
                 links_.neiSlender(facei),
                 mu[neii],

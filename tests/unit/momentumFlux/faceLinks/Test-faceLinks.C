@@ -292,7 +292,8 @@ public:
                     q = min(q, along(celli, t)/mag(dx));
                 }
                 twice +=
-                    mag(mesh_.faceAreas()[facei])/height(celli, facei)
+                    mag(mesh_.faceAreas()[facei])*height(celli, facei)
+                   /magSqr(dx)
                    *(
                         mu*magSqr(r)
                       + (
