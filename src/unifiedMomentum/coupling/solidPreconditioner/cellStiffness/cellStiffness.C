@@ -159,6 +159,25 @@ void Foam::cellStiffness::setJumps()
 }
 
 
+void Foam::cellStiffness::softenVolume(const label celli)
+{
+    const fluxGeometry& geometry = nodes_.geometry();
+    scalar skewness = 0;
+
+    for (const label facei : geometry.mesh().cells()[celli])
+    {
+        if (geometry.kind(facei) == fluxGeometry::INSIDE)
+        {
+            skewness +=
+                mag(geometry.mesh().faceAreas()[facei])
+               *mag(geometry.skew()[facei])/V_;
+        }
+    }
+
+    lambda_ /= 1 + 0.1*sqr(skewness)*lambda_/mu_;
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::cellStiffness::cellStiffness
@@ -204,6 +223,11 @@ Foam::cellStiffness::set(const label celli)
 
     correctGradient();
     setJumps();
+
+    if (geometry.skewed())
+    {
+        softenVolume(celli);
+    }
 
     return velocities_;
 }
