@@ -187,7 +187,6 @@ Foam::aggregationMultigrid::aggregationMultigrid
     ratio_(hard ? 20 : 8),
     levels_(1)
 {
-    const label maxCoarsest = 300;
     const label maxLevels = 10;
 
     levels_[0].A = K;
@@ -196,11 +195,18 @@ Foam::aggregationMultigrid::aggregationMultigrid
     Eigen::MatrixXd B(modes);
     labelList groups(aggregates);
 
-    while
-    (
-        levels_.back().A.rows() > (nLevels() == 1 ? nDirect : maxCoarsest)
-     && nLevels() < maxLevels
-    )
+    const auto direct = [&]()
+    {
+        const sparseMatrix& A = levels_.back().A;
+
+        return
+            nLevels() == 1
+          ? A.rows() <= nDirect
+          : A.rows() <= 300
+         || (A.rows() <= 10000 && factorised::operations(A) < 2e9);
+    };
+
+    while (!direct() && nLevels() < maxLevels)
     {
         level& l = levels_.back();
 

@@ -222,11 +222,13 @@ void Foam::cellStiffness::softenVolume(const label celli)
 Foam::cellStiffness::cellStiffness
 (
     const solidNodes& nodes,
-    const stressFlux& stress
+    const stressFlux& stress,
+    const bool withLinks
 )
 :
     nodes_(nodes),
     stress_(stress),
+    withLinks_(withLinks && stress.links().active()),
     V_(0),
     mu_(0),
     lambda_(0),

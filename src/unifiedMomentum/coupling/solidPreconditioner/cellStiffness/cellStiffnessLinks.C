@@ -143,7 +143,7 @@ bool Foam::cellStiffness::addLinks(const label celli)
 
     links_.clear();
 
-    if (!stress_.links().active())
+    if (!withLinks_)
     {
         return false;
     }

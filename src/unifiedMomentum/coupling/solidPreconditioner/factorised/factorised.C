@@ -23,6 +23,55 @@ License
 #include "factorised.H"
 #include "error.H"
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+typedef Eigen::SparseMatrix<double> columnMatrix;
+
+//- Symmetric: its rows are its columns
+static Eigen::Map<const columnMatrix> byColumns(const sparseMatrix& A)
+{
+    return Eigen::Map<const columnMatrix>
+    (
+        A.rows(),
+        A.cols(),
+        A.nonZeros(),
+        A.outerIndexPtr(),
+        A.innerIndexPtr(),
+        A.valuePtr()
+    );
+}
+
+
+//- Sizes of the columns of the factor
+struct analysis
+:
+    public Eigen::SimplicialLDLT<columnMatrix>
+{
+    scalar operations() const
+    {
+        scalar sum = 0;
+        for (label j = 0; j < m_matrix.cols(); ++j)
+        {
+            sum += sqr
+            (
+                scalar
+                (
+                    m_matrix.outerIndexPtr()[j + 1]
+                  - m_matrix.outerIndexPtr()[j]
+                )
+            );
+        }
+
+        return sum;
+    }
+};
+
+} // End namespace Foam
+
+
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
 std::size_t Foam::factorised::minShort = 500000;
@@ -255,6 +304,16 @@ Foam::factorised::factorised()
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+Foam::scalar Foam::factorised::operations(const sparseMatrix& A)
+{
+    const columnMatrix columns(byColumns(A));
+    analysis a;
+    a.analyzePattern(columns);
+
+    return a.operations();
+}
+
+
 void Foam::factorised::set(const sparseMatrix& A)
 {
     if (A.rows() == 0)
@@ -262,19 +321,7 @@ void Foam::factorised::set(const sparseMatrix& A)
         return;
     }
 
-    // Symmetric: its rows are its columns
-    Eigen::SparseMatrix<double> columns
-    (
-        Eigen::Map<const Eigen::SparseMatrix<double>>
-        (
-            A.rows(),
-            A.cols(),
-            A.nonZeros(),
-            A.outerIndexPtr(),
-            A.innerIndexPtr(),
-            A.valuePtr()
-        )
-    );
+    columnMatrix columns(byColumns(A));
 
     if (!analysed_)
     {

@@ -270,7 +270,19 @@ void Foam::rigidBodyModes::setUp()
     // Not that of the operator: the same at any time step, to the last digit,
     // so that a restart goes on bitwise
     const stressFlux stress(op_.geometry(), true);
-    stiffness_.reset(new solidStiffness(nodes_, stress));
+
+    // Links make the rows of the matrix up to four times longer. In multigrid
+    // that costs more than the iterations that they save
+    const label maxDirect = d == 3 ? maxDirect3D : maxDirect2D;
+    const label maxWhole = d == 3 ? maxWhole3D : maxWhole2D;
+    const label most = returnReduce(nodes_.nOwn(), maxOp<label>());
+    const label all = returnReduce(nodes_.nOwn(), sumOp<label>());
+    const bool whole = Pstream::parRun() && all <= maxWhole;
+
+    stiffness_.reset
+    (
+        new solidStiffness(nodes_, stress, whole || most <= maxDirect)
+    );
     smoother_.reset(new operatorSmoother(op_, faces_, stiffness_()));
 
     // Without inertia and fluid
@@ -280,12 +292,7 @@ void Foam::rigidBodyModes::setUp()
         vectorField(faces_.weight.size(), Zero)
     );
 
-    if
-    (
-        Pstream::parRun()
-     && returnReduce(nodes_.nOwn(), sumOp<label>())
-     <= (d == 3 ? maxWhole3D : maxWhole2D)
-    )
+    if (whole)
     {
         // Each node an aggregate with all its motion: the whole matrix
         Eigen::MatrixXd all(Eigen::MatrixXd::Zero(d*nodes_.nOwn(), d));
@@ -312,7 +319,7 @@ void Foam::rigidBodyModes::setUp()
             d,
             B,
             aggregates(d == 3 ? 4 : 3),
-            d*(d == 3 ? maxDirect3D : maxDirect2D),
+            d*maxDirect,
             hard()
         )
     );
