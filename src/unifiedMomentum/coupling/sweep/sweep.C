@@ -449,8 +449,6 @@ void Foam::sweep::update()
         setPressure();
         enclosed_.update(solid_);
     }
-
-    solid_.start();
 }
 
 
