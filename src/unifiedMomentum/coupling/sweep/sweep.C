@@ -413,9 +413,9 @@ void Foam::sweep::balance(unifiedVector& dz)
     const fluxGeometry& geometry = op_.geometry();
     const labelList& cells = geometry.cellsAndFaces(false).cells;
 
-    // More would be too much where convection differs from cell to cell: the
-    // exact pressure takes 1/5 of the whole in the worst case
-    const scalar part = 0.3;
+    // More is too much where convection differs from cell to cell, and may
+    // then grow from corrector to corrector
+    const scalar part = 0.15;
 
     // The velocity that the residual would give, and its divergence
     correction_.setZero();
