@@ -181,7 +181,7 @@ void Foam::sweep::solveFluid(const unifiedVector& r, unifiedVector& dz)
 
     vectorField b(r.U);
 
-    // Solids have moved already: they pull on the fluid through the face
+    // What the pressure has moved of solids pulls on the fluid through the face
     const vectorField beyond(geometry.neighbourValues(dz.U));
 
     for (const interfaceCompliance::wallFace& wall : compliance_.walls())
@@ -368,6 +368,9 @@ void Foam::sweep::correct(unifiedVector& dz)
 void Foam::sweep::applyFluid(const unifiedVector& r, unifiedVector& dz)
 {
     solveFluid(r, dz);
+
+    // Slip faces are solved with their cells, which leaves nothing there
+    r_.Uf = Zero;
 
     const label nCorrectors =
         controls().getOrDefault<label>("nCorrectors", 3);
