@@ -290,7 +290,7 @@ Foam::label Foam::solidSolver::solve
 
         // Where it is one by construction: the matrix is that of orthogonal
         // meshes. Elsewhere some residual may just be an easy one
-        exact_ = nIterations == 1 && !geometry.skewed();
+        exact_ = nIterations == 1 && !geometry.skewed(true);
 
         if (debug)
         {

@@ -240,7 +240,7 @@ void Foam::faceLinks::setTwist(const cellLengths& lengths)
     const auto resist = [&](const label facei, const scalar shortestN)
     {
         twist_[facei] =
-            2.0/3.0*mag(mesh.faceAreas()[facei])
+            2.0/3.0*mag(geometry_.S(solid_)[facei])
            *(
                 w[facei]*sqr(shortest[own[facei]])
               + (1 - w[facei])*sqr(shortestN)
@@ -265,6 +265,7 @@ void Foam::faceLinks::setTwist(const cellLengths& lengths)
 Foam::faceLinks::faceLinks(const fluxGeometry& geometry, const bool solid)
 :
     geometry_(geometry),
+    solid_(solid),
     zone_(geometry.cellsAndFaces(solid)),
     wanted_(false),
     active_(false),

@@ -31,7 +31,7 @@ void Foam::cellStiffness::addFace(const label celli, const label facei)
     const bool owner = mesh.faceOwner()[facei] == celli;
     const label i = geometry.unknownIndex()[facei];
 
-    const vector S((owner ? 1 : -1)*mesh.faceAreas()[facei]);
+    const vector S((owner ? 1 : -1)*geometry.S(true)[facei]);
     const vector& dx =
         owner ? geometry.dOwn()[facei] : geometry.dNei()[facei];
     const vector& dxOther =
@@ -40,7 +40,7 @@ void Foam::cellStiffness::addFace(const label celli, const label facei)
     velocity v{-1, -1, tensor::I, dx, S/V_};
     side s{velocities_.size(), 1, stress_.stiffness().of(facei, owner)};
 
-    const tensor along(tensor::I - tensor(sqr(geometry.n()[facei])));
+    const tensor along(tensor::I - tensor(sqr(geometry.n(true)[facei])));
 
     switch (geometry.kind(facei))
     {
