@@ -348,6 +348,8 @@ Foam::unifiedSystem::unifiedSystem(fvMesh& mesh)
     regIOobject(IOobject(typeName, mesh.time().timeName(), mesh)),
 
     mesh_(checkedMesh(mesh)),
+    motion_(meshMotion::New(mesh)),
+    meshFollows_(false),
     materials_(mesh),
     p_
     (
@@ -411,7 +413,7 @@ Foam::unifiedSystem::unifiedSystem(fvMesh& mesh)
     stress_(),
     g_(readGravity(mesh)),
     fvOptions_(momentumOptions::New(mesh)),
-    flux_(materials_, U_, p_),
+    flux_(materials_, U_, p_, motion_.valid()),
     op_(flux_),
     sweep_(op_),
     krylov_
@@ -487,6 +489,17 @@ Foam::unifiedSystem::unifiedSystem(fvMesh& mesh)
      && Uf_.nOldTimes() > 0 && Df_.nOldTimes() > 0 && phi_.nOldTimes() > 0;
 
     startFaces(haveUf, haveDf);
+
+    if (motion_)
+    {
+        vectorField df(mesh.nFaces(), Zero);
+        for (const label facei : flux_.geometry().unknownFaces())
+        {
+            df[facei] = faceValue(Df_, facei);
+        }
+        motion_->connect(flux_, df);
+        op_.updateMass();
+    }
 
     if (!haveOldOld_)
     {

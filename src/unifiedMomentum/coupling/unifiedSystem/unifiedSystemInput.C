@@ -319,7 +319,13 @@ void Foam::unifiedSystem::readControls()
         }
     }
 
-    nOuterCorrectors_ = checkRange(pimple, "nOuterCorrectors", 1, 1);
+    nOuterCorrectors_ = checkRange
+    (
+        pimple,
+        "nOuterCorrectors",
+        motion_ && motion_->implicit() ? 5 : 1,
+        1
+    );
     pimple.getOrDefault("momentumPredictor", true);
     checkRange(pimple, "nCorrectors", 3, 1);
     checkRange(pimple, "nNonOrthogonalCorrectors", 0, 0);

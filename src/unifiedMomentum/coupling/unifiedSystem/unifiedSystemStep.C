@@ -49,6 +49,10 @@ void Foam::unifiedSystem::setKnown()
     const scalar betaDt = dt/c;
 
     flux_.setBetaDt(betaDt);
+    if (motion_)
+    {
+        motion_->startStep(c, c00, dt);
+    }
 
     const volVectorField& U0 = U_.oldTime();
     const volVectorField& U00 = U0.oldTime();
@@ -85,11 +89,85 @@ void Foam::unifiedSystem::setKnown()
 }
 
 
+void Foam::unifiedSystem::moveMesh(const unifiedVector& z)
+{
+    const labelList& faces = flux_.geometry().unknownFaces();
+    vectorField df(mesh_.nFaces(), Zero);
+
+    forAll(faces, i)
+    {
+        df[faces[i]] =
+            flux_.betaDt()*(known_.D.faces[faces[i]] + z.Uf[i]);
+    }
+
+    motion_->move(df);
+    meshFollows_ = true;
+
+    if (motion_->implicit())
+    {
+        flux_.setInterfaceFlux(z, motion_->meshFlux());
+    }
+
+    // Momentum and volumes of the cells as they are now
+    op_.updateMass();
+
+    const volVectorField& U0 = U_.oldTime();
+    const volScalarField& e0 = continuityError_.oldTime();
+
+    for (const label celli : flux_.geometry().cellsAndFaces(false).cells)
+    {
+        known_.U[celli] =
+            motion_->known(celli, U0[celli], U0.oldTime()[celli])
+           /flux_.geometry().V()[celli];
+        known_.volumeError[celli] =
+            motion_->known(celli, e0[celli], e0.oldTime()[celli]);
+    }
+}
+
+
 void Foam::unifiedSystem::freeze()
 {
-    flux_.setConvection(phi_, U_);
-
     op_.source() = 0;
+
+    if (motion_)
+    {
+        // What convects is the flux relative to the mesh
+        surfaceScalarField relative
+        (
+            IOobject
+            (
+                phi_.name(),
+                mesh_.time().timeName(),
+                mesh_,
+                IOobject::NO_READ,
+                IOobject::NO_WRITE,
+                false
+            ),
+            phi_
+        );
+        const scalarField& m = motion_->meshFlux();
+
+        forAll(relative, facei)
+        {
+            relative[facei] -= m[facei];
+        }
+        forAll(relative.boundaryField(), patchi)
+        {
+            fvsPatchScalarField& phip =
+                relative.boundaryFieldRef()[patchi];
+            forAll(phip, i)
+            {
+                phip[i] -= m[phip.patch().start() + i];
+            }
+        }
+
+        flux_.setConvection(relative, U_);
+        op_.source() -= motion_->massDefect();
+    }
+    else
+    {
+        flux_.setConvection(phi_, U_);
+    }
 
     forAll(known_.force, celli)
     {
@@ -105,7 +183,7 @@ void Foam::unifiedSystem::freeze()
         known_.force -= option.source();
         if (option.hasDiag())
         {
-            op_.source() = -option.diag();
+            op_.source() -= option.diag();
         }
     }
 
@@ -226,6 +304,10 @@ void Foam::unifiedSystem::predict()
 
     if (!haveOldOld_)
     {
+        if (motion_)
+        {
+            moveMesh(z_);
+        }
         startBoundary();
         flux_.updateBoundary(U_, p_);
         freeze();
@@ -245,6 +327,11 @@ void Foam::unifiedSystem::predict()
         );
         start.scale(-ratio);
         start.add(1 + ratio, zOld_);
+
+        if (motion_)
+        {
+            moveMesh(start);
+        }
 
         // Conditions that depend on the flow take the extrapolated one
         phi_ == (1 + ratio)*phi0 - ratio*phi00;
@@ -289,6 +376,10 @@ bool Foam::unifiedSystem::picard()
 
         // The residual with the flux and the conditions of the new velocity
         unknownsToFields(z_);
+        if (motion_ && motion_->implicit())
+        {
+            moveMesh(z_);
+        }
         computeFlux(z_);
         correctBoundary();
         flux_.updateBoundary(U_, p_);
@@ -311,6 +402,8 @@ bool Foam::unifiedSystem::picard()
 
 void Foam::unifiedSystem::solve()
 {
+    meshFollows_ = false;
+
     // The residual that the Krylov method updates drifts from the true one by
     // round-off; where that matters, it is started again
     for (label start = 0; start < 3; ++start)
@@ -356,6 +449,10 @@ void Foam::unifiedSystem::updateDisplacement()
     const scalar betaDt = flux_.betaDt();
 
     unknownsToFields(z_);
+    if (motion_ && motion_->implicit() && !meshFollows_)
+    {
+        moveMesh(z_);
+    }
     computeFlux(z_);
     correctBoundary();
 
@@ -411,6 +508,14 @@ void Foam::unifiedSystem::updateDisplacement()
     vectorField traction(mesh_.nFaces(), Zero);
     flux_.stressField(z_, known_.D, sigma_.primitiveFieldRef(), traction);
     validity_.checkStep(Df_, flux_.stress(true).grad(), betaDt);
+    if (motion_)
+    {
+        motion_->follow
+        (
+            D_.primitiveField(),
+            betaDt*flux_.stress(true).grad()
+        );
+    }
     correctStressBoundary();
     for (const bool solid : {false, true})
     {

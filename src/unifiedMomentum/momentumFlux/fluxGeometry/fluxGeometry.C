@@ -205,6 +205,11 @@ void Foam::fluxGeometry::setLengths()
 
 void Foam::fluxGeometry::setWarp()
 {
+    if (started_ && !warped(false))
+    {
+        return;
+    }
+
     const pointField& points = mesh_.points();
     const vectorField& Cf = mesh_.faceCentres();
     const scalarField magSf(mag(mesh_.faceAreas()));

@@ -1,0 +1,388 @@
+/*---------------------------------------------------------------------------*\
+  umfsiFoam: fluid-structure interaction with one momentum equation
+-------------------------------------------------------------------------------
+License
+    This file is part of umfsiFoam.
+
+    umfsiFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by
+    the Free Software Foundation, either version 3 of the License, or
+    (at your option) any later version.
+
+    umfsiFoam is distributed in the hope that it will be useful, but WITHOUT
+    ANY WARRANTY; without even the implied warranty of MERCHANTABILITY or
+    FITNESS FOR A PARTICULAR PURPOSE.  See the GNU General Public License
+    for more details.
+
+    You should have received a copy of the GNU General Public License
+    along with umfsiFoam.  If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "meshMotion.H"
+#include "cellPlace.H"
+#include "syncTools.H"
+#include "valuePointPatchField.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::meshMotion::setGiven(vectorField& d)
+{
+    const fluxGeometry& geometry = flux_->geometry();
+
+    // Two patches may hold a point, and a process may have none of them
+    vectorField given(mesh_.nPoints(), Zero);
+
+    forAll(mesh_.boundaryMesh(), patchi)
+    {
+        const polyPatch& patch = mesh_.boundaryMesh()[patchi];
+        pointPatchField<vector>& pd =
+            displacement_.boundaryFieldRef()[patchi];
+
+        if (!isA<valuePointPatchField<vector>>(pd))
+        {
+            continue;
+        }
+
+        pd.updateCoeffs();
+        const vectorField& values =
+            refCast<const valuePointPatchField<vector>>(pd);
+
+        forAll(patch, i)
+        {
+            if (!geometry.materials().solid(patch.faceCells()[i]))
+            {
+                for (const label localPoint : patch.localFaces()[i])
+                {
+                    maxMagSqrEqOp<vector>()
+                    (
+                        given[patch.meshPoints()[localPoint]],
+                        values[localPoint]
+                    );
+                }
+            }
+        }
+        pd.evaluate();
+    }
+
+    syncTools::syncPointList
+    (
+        mesh_, given, maxMagSqrEqOp<vector>(), vector::zero
+    );
+
+    forAll(given, pointi)
+    {
+        if (ofFluid_[pointi])
+        {
+            const vector held(given[pointi] - (hold_[pointi] & given[pointi]));
+            d[pointi] = held + (hold_[pointi] & vector(d[pointi]));
+        }
+    }
+}
+
+
+void Foam::meshMotion::movePoints(const vectorField& d)
+{
+    displacement_.primitiveFieldRef() = d;
+    mesh_.movePoints(points0_ + d);
+    flux_->updateGeometry();
+}
+
+
+void Foam::meshMotion::checkCells() const
+{
+    const fluxGeometry& geometry = flux_->geometry();
+    const vectorField& S = mesh_.faceAreas();
+    const vectorField& Cf = mesh_.faceCentres();
+    const vectorField& C = mesh_.cellCentres();
+
+    cellPlace worst;
+    label nBad = 0;
+
+    for (const label celli : geometry.cellsAndFaces(false).cells)
+    {
+        bool bad = !(geometry.V()[celli] > 0);
+
+        for (const label facei : mesh_.cells()[celli])
+        {
+            const scalar pyramid = S[facei] & (Cf[facei] - C[celli]);
+            bad =
+                bad
+             || !((mesh_.faceOwner()[facei] == celli ? 1 : -1)*pyramid > 0);
+        }
+
+        if (bad)
+        {
+            ++nBad;
+            if (nBad == 1)
+            {
+                worst = cellPlace(mesh_, celli, 1);
+            }
+        }
+    }
+
+    reduce(nBad, sumOp<label>());
+
+    if (nBad)
+    {
+        worst.reduce();
+
+        FatalErrorInFunction
+            << "At time " << mesh_.time().timeName() << " the mesh of the fluid"
+            << " that follows the solid has " << nBad << " cells inside out,"
+            << " one of them:" << nl << "        " << worst.text().c_str() << nl
+            << "    The times on disk are good: the next run with startFrom"
+            << " latestTime goes on from the last." << nl
+            << "    Valid choices: smaller time steps; in"
+            << " constant/dynamicMeshDict another diffusivity; a mesh with"
+            << " larger cells where the solid comes close"
+            << exit(FatalError);
+    }
+}
+
+
+void Foam::meshMotion::sweep(const pointField& from, scalarField& swept) const
+{
+    const fluxGeometry& geometry = flux_->geometry();
+    const fluxGeometry::zone& fluid = geometry.cellsAndFaces(false);
+    const pointField& to = mesh_.points();
+
+    // Triangles whose corners go straight: S is a parabola in time. About the
+    // mean of the points, as volumes of warped faces are
+    const auto triangle = []
+    (
+        const vector& a,
+        const vector& b,
+        const vector& c,
+        const vector& a1,
+        const vector& b1,
+        const vector& c1
+    )
+    {
+        const vector e(b - a), f(c - a), e1(b1 - a1), f1(c1 - a1);
+        const vector em(e + e1), fm(f + f1);
+        const vector S((e ^ f) + (em ^ fm) + (e1 ^ f1));
+
+        return (S & (a1 - a + b1 - b + c1 - c))/36;
+    };
+
+    for
+    (
+        const labelList& faces :
+        {fluid.internal, fluid.coupled, fluid.ownSides, fluid.neiSides}
+    )
+    {
+        for (const label facei : faces)
+        {
+            const face& f = mesh_.faces()[facei];
+
+            if (f.size() == 3)
+            {
+                swept[facei] = triangle
+                (
+                    from[f[0]], from[f[1]], from[f[2]],
+                    to[f[0]], to[f[1]], to[f[2]]
+                );
+                continue;
+            }
+
+            const point c(average(f.points(from)));
+            const point c1(average(f.points(to)));
+
+            swept[facei] = 0;
+            forAll(f, fp)
+            {
+                const label a = f[fp];
+                const label b = f.nextLabel(fp);
+                swept[facei] += triangle(from[a], from[b], c, to[a], to[b], c1);
+            }
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::meshMotion::connect(momentumFlux& flux, const vectorField& Df)
+{
+    flux_ = &flux;
+
+    const fluxGeometry& geometry = flux.geometry();
+    const labelList& cells = geometry.cellsAndFaces(false).cells;
+
+    for (const label celli : cells)
+    {
+        for (const label facei : mesh_.cells()[celli])
+        {
+            for (const label pointi : mesh_.faces()[facei])
+            {
+                ofFluid_[pointi] = true;
+            }
+        }
+    }
+    syncTools::syncPointList(mesh_, ofFluid_, orEqOp<bool>(), false);
+
+    setHolds();
+    interface_.reset(new interfacePoints(geometry));
+    interface_->setHolds(hold_);
+
+    symmTensorField free(hold_);
+    for (const label pointi : interface_->points())
+    {
+        free[pointi] = Zero;
+    }
+
+    DynamicList<label> moving(interface_->points());
+    for (const word& name : patches_)
+    {
+        moving.append(mesh_.boundaryMesh()[name].meshPoints());
+    }
+    laplace_.reset(new pointLaplace(mesh_, cells, free, moving, exponent_));
+
+    if (implicit_)
+    {
+        flux.moveInterface(interface_());
+    }
+
+    // Where the mesh was at the last two times
+    oldV_ = geometry.V();
+
+    if (restarted_)
+    {
+        const vectorField d(displacement_.primitiveField());
+        movePoints(displacement_.oldTime().primitiveField());
+        oldV_ = geometry.V();
+        oldPoints_ = mesh_.points();
+        movePoints(d);
+        sweep(oldPoints_, swept_);
+    }
+    else
+    {
+        move(Df);
+        oldV_ = geometry.V();
+        swept_ = 0;
+    }
+
+    displacement_.oldTime().oldTime();
+}
+
+
+void Foam::meshMotion::startStep
+(
+    const scalar c,
+    const scalar c00,
+    const scalar dt
+)
+{
+    oldOldV_ = oldV_;
+    oldV_ = flux_->geometry().V();
+    oldSwept_ = swept_;
+    oldPoints_ = mesh_.points();
+
+    rate_ = c/dt;
+    oldRate_ = c00/dt;
+}
+
+
+void Foam::meshMotion::move(const vectorField& Df)
+{
+    const labelList& faces = interface_->faces();
+
+    vectorField dI(faces.size());
+    forAll(faces, i)
+    {
+        dI[i] = Df[faces[i]];
+    }
+    const vectorField dPoints(interface_->toPoints(dI));
+
+    vectorField d(displacement_.primitiveField());
+    forAll(dPoints, i)
+    {
+        d[interface_->points()[i]] = dPoints[i];
+    }
+    setGiven(d);
+    laplace_->solve(d);
+
+    movePoints(d);
+    checkCells();
+
+    sweep(oldPoints_, swept_);
+    flux0_ = rate_*swept_ - oldRate_*oldSwept_;
+}
+
+
+Foam::tmp<Foam::scalarField> Foam::meshMotion::massDefect() const
+{
+    const fluxGeometry& geometry = flux_->geometry();
+    const fluxGeometry::zone& fluid = geometry.cellsAndFaces(false);
+    const labelUList& own = mesh_.faceOwner();
+    const scalarField& rhoPhi = flux_->rhoPhi();
+
+    tmp<scalarField> tdefect(new scalarField(mesh_.nCells(), 0));
+    scalarField& defect = tdefect.ref();
+
+    for (const label celli : fluid.cells)
+    {
+        defect[celli] =
+            geometry.materials()[celli].rho()
+           *(
+                rate_*(geometry.V()[celli] - oldV_[celli])
+              - oldRate_*(oldV_[celli] - oldOldV_[celli])
+            );
+    }
+    for (const label facei : fluid.internal)
+    {
+        defect[own[facei]] += rhoPhi[facei];
+        defect[mesh_.faceNeighbour()[facei]] -= rhoPhi[facei];
+    }
+    for (const labelList& faces : {fluid.coupled, fluid.ownSides})
+    {
+        for (const label facei : faces)
+        {
+            defect[own[facei]] += rhoPhi[facei];
+        }
+    }
+
+    return tdefect;
+}
+
+
+void Foam::meshMotion::follow
+(
+    const vectorField& D,
+    const tensorField& gradD
+)
+{
+    const fluxGeometry& geometry = flux_->geometry();
+    const pointField& C = geometry.cellCentres(true);
+
+    vectorField d(mesh_.nPoints(), Zero);
+    scalarField count(mesh_.nPoints(), 0);
+
+    for (const label celli : geometry.cellsAndFaces(true).cells)
+    {
+        for (const label pointi : mesh_.cellPoints()[celli])
+        {
+            d[pointi] +=
+                D[celli] + ((points0_[pointi] - C[celli]) & gradD[celli]);
+            count[pointi] += 1;
+        }
+    }
+
+    syncTools::syncPointList(mesh_, d, plusEqOp<vector>(), vector::zero);
+    syncTools::syncPointList(mesh_, count, plusEqOp<scalar>(), scalar(0));
+
+    const vectorField& present = displacement_.primitiveField();
+    forAll(d, pointi)
+    {
+        d[pointi] =
+            ofFluid_[pointi] || count[pointi] == 0
+          ? present[pointi] : d[pointi]/count[pointi];
+    }
+
+    displacement_.primitiveFieldRef() = d;
+    mesh_.movePoints(points0_ + d);
+}
+
+
+// ************************************************************************* //
