@@ -302,6 +302,9 @@ Foam::autoPtr<Foam::meshMotion> Foam::meshMotion::New(fvMesh& mesh)
             << exit(FatalIOError);
     }
 
+    // Conditions of pointDisplacement may come from there
+    const_cast<Time&>(mesh.time()).libs().open(dict, "motionSolverLibs");
+
     return autoPtr<meshMotion>(new meshMotion(mesh, dict));
 }
 
