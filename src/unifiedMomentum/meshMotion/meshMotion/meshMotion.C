@@ -21,6 +21,7 @@ License
 
 #include "meshMotion.H"
 #include "cellPlace.H"
+#include "faceValue.H"
 #include "syncTools.H"
 #include "valuePointPatchField.H"
 
@@ -201,9 +202,33 @@ void Foam::meshMotion::sweep(const pointField& from, scalarField& swept) const
 }
 
 
+void Foam::meshMotion::moveInterface(const vectorField& dI)
+{
+    const vectorField dPoints(interface_->toPoints(dI));
+
+    vectorField d(displacement_.primitiveField());
+    forAll(dPoints, i)
+    {
+        d[interface_->points()[i]] = dPoints[i];
+    }
+    setGiven(d);
+    laplace_->solve(d);
+
+    movePoints(d);
+    checkCells();
+
+    sweep(oldPoints_, swept_);
+    meshFlux_ = rate_*swept_ - oldRate_*oldSwept_;
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::meshMotion::connect(momentumFlux& flux, const vectorField& Df)
+void Foam::meshMotion::start
+(
+    momentumFlux& flux,
+    const unifiedFields& fields
+)
 {
     flux_ = &flux;
 
@@ -258,7 +283,12 @@ void Foam::meshMotion::connect(momentumFlux& flux, const vectorField& Df)
     }
     else
     {
-        move(Df);
+        vectorField dI(interface_->faces().size());
+        forAll(dI, i)
+        {
+            dI[i] = faceValue(fields.Df(), interface_->faces()[i]);
+        }
+        moveInterface(dI);
         oldV_ = geometry.V();
         swept_ = 0;
     }
@@ -267,7 +297,7 @@ void Foam::meshMotion::connect(momentumFlux& flux, const vectorField& Df)
 }
 
 
-void Foam::meshMotion::startStep
+void Foam::meshMotion::newStep
 (
     const scalar c,
     const scalar c00,
@@ -284,46 +314,100 @@ void Foam::meshMotion::startStep
 }
 
 
-void Foam::meshMotion::move(const vectorField& Df)
+void Foam::meshMotion::follow
+(
+    const unifiedVector& z,
+    const unifiedFields& fields,
+    unifiedOperator::known& known
+)
 {
-    const labelList& faces = interface_->faces();
+    const fluxGeometry& geometry = flux_->geometry();
 
-    vectorField dI(faces.size());
-    forAll(faces, i)
+    vectorField dI(interface_->faces().size());
+    forAll(dI, i)
     {
-        dI[i] = Df[faces[i]];
+        dI[i] =
+            flux_->betaDt()
+           *(
+                known.D.faces[interface_->faces()[i]]
+              + z.Uf[interface_->unknowns()[i]]
+            );
     }
-    const vectorField dPoints(interface_->toPoints(dI));
+    moveInterface(dI);
 
-    vectorField d(displacement_.primitiveField());
-    forAll(dPoints, i)
+    if (implicit_)
     {
-        d[interface_->points()[i]] = dPoints[i];
+        flux_->setInterfaceFlux(z, meshFlux_);
     }
-    setGiven(d);
-    laplace_->solve(d);
 
-    movePoints(d);
-    checkCells();
+    // Momentum and volumes: those of the cells as they were
+    const volVectorField& U0 = fields.U().oldTime();
+    const volVectorField& U00 = U0.oldTime();
+    const volScalarField& e0 = fields.continuityError().oldTime();
+    const volScalarField& e00 = e0.oldTime();
 
-    sweep(oldPoints_, swept_);
-    flux0_ = rate_*swept_ - oldRate_*oldSwept_;
+    for (const label celli : geometry.cellsAndFaces(false).cells)
+    {
+        const scalar V0 = (1 + oldRate_/rate_)*oldV_[celli];
+        const scalar V00 = oldRate_/rate_*oldOldV_[celli];
+
+        known.U[celli] =
+            (V0*U0[celli] - V00*U00[celli])/geometry.V()[celli];
+        known.volumeError[celli] = V0*e0[celli] - V00*e00[celli];
+    }
 }
 
 
-Foam::tmp<Foam::scalarField> Foam::meshMotion::massDefect() const
+Foam::tmp<Foam::surfaceScalarField> Foam::meshMotion::relative
+(
+    const surfaceScalarField& phi
+) const
+{
+    tmp<surfaceScalarField> trelative
+    (
+        new surfaceScalarField
+        (
+            IOobject
+            (
+                phi.name(),
+                mesh_.time().timeName(),
+                mesh_,
+                IOobject::NO_READ,
+                IOobject::NO_WRITE,
+                false
+            ),
+            phi
+        )
+    );
+    surfaceScalarField& relative = trelative.ref();
+
+    forAll(relative, facei)
+    {
+        relative[facei] -= meshFlux_[facei];
+    }
+    forAll(relative.boundaryField(), patchi)
+    {
+        fvsPatchScalarField& phip = relative.boundaryFieldRef()[patchi];
+        forAll(phip, i)
+        {
+            phip[i] -= meshFlux_[phip.patch().start() + i];
+        }
+    }
+
+    return trelative;
+}
+
+
+void Foam::meshMotion::addMassDefect(scalarField& source) const
 {
     const fluxGeometry& geometry = flux_->geometry();
     const fluxGeometry::zone& fluid = geometry.cellsAndFaces(false);
     const labelUList& own = mesh_.faceOwner();
     const scalarField& rhoPhi = flux_->rhoPhi();
 
-    tmp<scalarField> tdefect(new scalarField(mesh_.nCells(), 0));
-    scalarField& defect = tdefect.ref();
-
     for (const label celli : fluid.cells)
     {
-        defect[celli] =
+        source[celli] -=
             geometry.materials()[celli].rho()
            *(
                 rate_*(geometry.V()[celli] - oldV_[celli])
@@ -332,22 +416,20 @@ Foam::tmp<Foam::scalarField> Foam::meshMotion::massDefect() const
     }
     for (const label facei : fluid.internal)
     {
-        defect[own[facei]] += rhoPhi[facei];
-        defect[mesh_.faceNeighbour()[facei]] -= rhoPhi[facei];
+        source[own[facei]] -= rhoPhi[facei];
+        source[mesh_.faceNeighbour()[facei]] += rhoPhi[facei];
     }
     for (const labelList& faces : {fluid.coupled, fluid.ownSides})
     {
         for (const label facei : faces)
         {
-            defect[own[facei]] += rhoPhi[facei];
+            source[own[facei]] -= rhoPhi[facei];
         }
     }
-
-    return tdefect;
 }
 
 
-void Foam::meshMotion::follow
+void Foam::meshMotion::followSolid
 (
     const vectorField& D,
     const tensorField& gradD

@@ -342,7 +342,7 @@ Foam::meshMotion::meshMotion(fvMesh& mesh, const dictionary& dict)
     oldOldV_(),
     rate_(0),
     oldRate_(0),
-    flux0_(swept_)
+    meshFlux_(swept_)
 {
     readControls(dict);
     checkConditions();
