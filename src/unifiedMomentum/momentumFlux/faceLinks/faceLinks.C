@@ -86,8 +86,8 @@ void Foam::faceLinks::setAxes(const cellLengths& lengths)
 {
     const fvMesh& mesh = geometry_.mesh();
 
-    ownAxis_ = geometry_.n();
-    neiAxis_ = geometry_.n();
+    ownAxis_ = geometry_.n(solid_);
+    neiAxis_ = geometry_.n(solid_);
 
     forAll(ownAxis_, facei)
     {
@@ -130,7 +130,7 @@ void Foam::faceLinks::setDistances()
     // d is twice what the cell's own gradient gives
     for (const label facei : zone_.symmetry)
     {
-        const vector& n = geometry_.n()[facei];
+        const vector& n = geometry_.n(solid_)[facei];
         d_[facei] = (n & geometry_.dOwn()[facei])*n;
     }
 }
