@@ -51,9 +51,20 @@ def writeSystem(case, scheme, dt, nSteps, interval, tolerance, start="0"):
     writeFile(case, "system/parameters", "dictionary",
               f"timeScheme {scheme};\n")
     writeControl(case, dt, nSteps, interval, start)
+    decompose(case, None)
+
+
+def decompose(case, processors):
+    """Halves, or a processor for each cell."""
+    if processors is None:
+        method = "simple; simpleCoeffs { n (2 1 1); delta 0.001; }"
+    else:
+        method = 'manual; manualCoeffs { dataFile "processors"; }'
+        writeFile(case, "constant/processors", "labelList",
+                  f"{len(processors)}\n(\n"
+                + "\n".join(map(str, processors)) + "\n)\n")
     writeFile(case, "system/decomposeParDict", "dictionary",
-              "numberOfSubdomains 2; method simple;"
-              " simpleCoeffs { n (2 1 1); delta 0.001; }\n")
+              f"numberOfSubdomains 2; method {method}\n")
 
 
 def writeControl(case, dt, nSteps, interval, start):
@@ -322,23 +333,32 @@ def checkRestart(counted, folder):
 
 
 def checkParallel(counted, folder):
-    cases = [folder/"serial", folder/"parallel"]
-    fault = ""
-    for case in cases:
-        writeSlab(case, "backward", "implicit", 1, "1e-11", nSteps=20)
-        fault = fault or columnCase.run(case, "blockMesh")
-    fault = (fault or columnCase.run(cases[0], columnCase.SOLVER)
-          or runParallel(cases[1]))
+    """Halves; all faces of the interface between processors; every face."""
+    n = 8
+    serial = folder/"serial"
+    writeSlab(serial, "backward", "implicit", 1, "1e-11", nSteps=20, n=n)
+    fault = simulate(serial)
     if fault:
-        counted.check(False, f"2 processors: {fault}")
+        counted.check(False, fault)
         return
-    for name in ("U", "p", "D", "pointDisplacement"):
-        a, b = (values(list(times(case).values())[-1]/name)
-                for case in cases)
-        scale = max(map(abs, a))
-        error = max(abs(x - y) for x, y in zip(a, b))/scale
-        counted.check(len(a) == len(b) and error < 1e-8,
-                      f"2 processors, {name}: differs by {error:.1e}")
+    for name, processors in (
+            ("halves", None),
+            ("interface", [0]*(2*n) + [1]*(n*n)),
+            ("checkerboard", [i % 2 for i in range(2*n + n*n)])):
+        case = folder/("parallel_" + name)
+        writeSlab(case, "backward", "implicit", 1, "1e-11", nSteps=20, n=n)
+        decompose(case, processors)
+        fault = columnCase.run(case, "blockMesh") or runParallel(case)
+        if fault:
+            counted.check(False, f"2 processors, {name}: {fault}")
+            continue
+        for field in ("U", "p", "D", "pointDisplacement"):
+            a, b = (values(list(times(c).values())[-1]/field)
+                    for c in (serial, case))
+            error = max(abs(x - y) for x, y in zip(a, b))/max(map(abs, a))
+            counted.check(len(a) == len(b) and error < 1e-8,
+                          f"2 processors, {name}, {field}: differs by"
+                          f" {error:.1e}")
 
 
 def main(arguments):
