@@ -190,6 +190,50 @@ def checkUniform(counted, folder):
                     f" {moved:.2f}")
 
 
+# A wall that moves
+
+def checkWall(counted, folder):
+    """A wall pushes the fluid of a channel with slip: its velocity is that of
+    the whole fluid. The wall accelerates, so p has a gradient there."""
+    label = "moving wall"
+    case = folder/"wall"
+    writeUniform(case, 2, "Euler")
+    writeField(
+        case, "U", "volVectorField", "(0 0 0)",
+        {"zEmpty": "type empty;", "xMin": "type zeroGradient;",
+         "xMax": "type movingWallVelocity; value uniform (0 0 0);",
+         '"yM.*"': "type slip;"})
+    writeField(
+        case, "p", "volScalarField", "0",
+        {"zEmpty": "type empty;", "xMin": "type fixedValue; value uniform 0;",
+         "xMax": "type fixedFluxPressure; value uniform 0;",
+         '"yM.*"': "type zeroGradient;"})
+    writeField(
+        case, "pointDisplacement", "pointVectorField", "(0 0 0)",
+        {"zEmpty": "type empty;",
+         "xMin": "type fixedValue; value uniform (0 0 0);",
+         "xMax": "type oscillatingDisplacement; amplitude (0.1 0 0);"
+                 " omega 9; value uniform (0 0 0);",
+         '"yM.*"': "type slip;"})
+    # A rectangle
+    path = case/"system"/"blockMeshDict"
+    path.write_text(path.read_text().replace("1.2 1", "1 1")
+                    .replace("0.9", "1").replace("yMax)", "xMax)"))
+    path = case/"constant"/"dynamicMeshDict"
+    path.write_text(path.read_text().replace("(yMax)", "(xMax)"))
+    fault = simulate(case)
+    if fault:
+        counted.check(False, f"{label}: {fault}")
+        return
+    t, last = list(times(case).items())[-1]
+    speed = 0.1*(math.sin(9*t) - math.sin(9*(t - 0.02)))/0.02
+    U = values(last/"U")
+    error = max(abs(u - (speed, 0, 0)[i % 3]) for i, u in enumerate(U))
+    counted.check(error < 2e-3*abs(speed),
+                  f"{label}: U {U[0]:.6f}, exact {speed:.6f},"
+                  f" error {error:.1e}")
+
+
 # Slab under an enclosed fluid
 
 def writeSlab(case, scheme, coupling, density, tolerance="1e-9", dt=0.02,
@@ -368,6 +412,7 @@ def main(arguments):
     folder.mkdir(exist_ok=True)
     counted = checks.Checks()
     checkUniform(counted, folder)
+    checkWall(counted, folder)
     checkVolume(counted, folder)
     checkRestart(counted, folder)
     checkParallel(counted, folder)

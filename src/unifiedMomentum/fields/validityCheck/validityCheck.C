@@ -330,7 +330,7 @@ void Foam::validityCheck::checkStep
         returnReduce(vector2D(ratio, gradient), maxOp<vector2D>())
     );
 
-    if (largest.x() > 1 && displacement_ <= 1)
+    if (largest.x() > 1 && displacement_ <= 1 && !geometry_.moves())
     {
         cellPlace place;
         if (ratioCell >= 0)
@@ -346,7 +346,9 @@ void Foam::validityCheck::checkStep
             << "At time " << mesh.time().timeName() << " an interface has"
             << " moved by " << largest.x() << " of the thickness of the fluid's"
             << " first cell" << nl << "        " << place.text().c_str() << nl
-            << saidOnce << endl;
+            << saidOnce << nl
+            << "    A mesh that follows: constant/dynamicMeshDict, section 8 of"
+            << " the user guide" << endl;
     }
 
     if (largest.y() > largestGradient && gradient_ <= largestGradient)
@@ -381,7 +383,8 @@ void Foam::validityCheck::report() const
 
     Info<< nl << "Largest gradient of D: " << gradient_
         << ", displacement across an interface: " << displacement_
-        << " of the fluid's cell" << endl;
+        << " of the fluid's cell" << (geometry_.moves() ? ", which follows" : "")
+        << endl;
 }
 
 

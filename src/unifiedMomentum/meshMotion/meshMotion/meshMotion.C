@@ -25,6 +25,11 @@ License
 #include "syncTools.H"
 #include "valuePointPatchField.H"
 
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+const Foam::label Foam::meshMotion::defaultOuterCorrectors = 5;
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::meshMotion::setGiven(vectorField& d)
@@ -268,6 +273,17 @@ void Foam::meshMotion::start
     {
         flux.moveInterface(interface_());
     }
+
+    Info<< "The mesh of the fluid follows "
+        << returnReduce(interface_->faces().size(), sumOp<label>())
+        << " faces of solids, coupling "
+        << (implicit_ ? "implicit" : "explicit") << nl;
+    if (implicit_)
+    {
+        Info<< "    It moves in every Picard iteration: nOuterCorrectors is "
+            << defaultOuterCorrectors << " by default" << nl;
+    }
+    Info<< endl;
 
     // Where the mesh was at the last two times
     oldV_ = geometry.V();

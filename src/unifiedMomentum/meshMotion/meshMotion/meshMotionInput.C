@@ -178,15 +178,21 @@ void Foam::meshMotion::checkConditions() const
         const pointPatchField<vector>& pd =
             displacement_.boundaryField()[patchi];
 
+        // Its direction need not be that of the patch
+        const bool otherNormal = pd.type() == "fixedNormalSlip";
+
         if
         (
-            !pd.coupled()
-         && !isA<emptyPointPatch>(pd.patch())
-         && !isA<symmetryPlanePointPatch>(pd.patch())
-         && !isA<valuePointPatchField<vector>>(pd)
-         && !isA<basicSymmetryPointPatchField<vector>>(pd)
-         && !isA<zeroGradientPointPatchField<vector>>(pd)
-         && !isA<calculatedPointPatchField<vector>>(pd)
+            otherNormal
+         || (
+                !pd.coupled()
+             && !isA<emptyPointPatch>(pd.patch())
+             && !isA<symmetryPlanePointPatch>(pd.patch())
+             && !isA<valuePointPatchField<vector>>(pd)
+             && !isA<basicSymmetryPointPatchField<vector>>(pd)
+             && !isA<zeroGradientPointPatchField<vector>>(pd)
+             && !isA<calculatedPointPatchField<vector>>(pd)
+            )
         )
         {
             FatalIOErrorInFunction(dictionary(displacement_.objectPath()))

@@ -198,7 +198,12 @@ Foam::unifiedSystem::unifiedSystem(fvMesh& mesh)
     stress_(),
     forces_(mesh),
     flux_(materials_, fields_.U(), fields_.p(), motion_.valid()),
-    controls_(mesh, motion_ && motion_->implicit() ? 5 : 1),
+    controls_
+    (
+        mesh,
+        motion_ && motion_->implicit()
+      ? meshMotion::defaultOuterCorrectors : 1
+    ),
     system_(flux_, controls_),
     time_(fields_, flux_.geometry()),
     scheme_(mesh),
