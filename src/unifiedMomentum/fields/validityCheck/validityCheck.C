@@ -347,7 +347,7 @@ void Foam::validityCheck::checkStep
             << " moved by " << largest.x() << " of the thickness of the fluid's"
             << " first cell" << nl << "        " << place.text().c_str() << nl
             << saidOnce << nl
-            << "    A mesh that follows: constant/dynamicMeshDict, section 8 of"
+            << "    A mesh that follows: constant/dynamicMeshDict, section 4 of"
             << " the user guide" << endl;
     }
 
