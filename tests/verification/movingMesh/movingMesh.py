@@ -9,6 +9,7 @@ Run in the case folder; the runs go to run/.
 import math
 import re
 import shutil
+import struct
 import subprocess
 import sys
 from pathlib import Path
@@ -47,7 +48,8 @@ def writeSystem(case, scheme, dt, nSteps, interval, tolerance, start="0"):
     path = case/"system"/"fvSolution"
     path.write_text(path.read_text().replace("1e-6;", f"{tolerance};")
                     .replace("nOuterCorrectors    3;",
-                             "nOuterCorrectors    8;\n    pRefPoint (0.1 0.1 0.1);\n    pRefValue 0;"))
+                             "nOuterCorrectors 8; pRefPoint (0.1 0.1 0.1);"
+                             " pRefValue 0;"))
     writeFile(case, "system/parameters", "dictionary",
               f"timeScheme {scheme};\n")
     writeControl(case, dt, nSteps, interval, start)
@@ -115,7 +117,6 @@ def values(path):
     if uniform:
         return [float(x) for x in uniform[1].split()]
     size = 1 if list_[1] == b"scalar" else 3
-    import struct   # pylint: disable=import-outside-toplevel
     n = int(list_[2])*size
     return list(struct.unpack_from(f"{n}d", data, list_.end()))
 
@@ -237,19 +238,20 @@ def checkWall(counted, folder):
 # Slab under an enclosed fluid
 
 def writeSlab(case, scheme, coupling, density, tolerance="1e-9", dt=0.02,
-              nSteps=40, n=8, interval=5):
+              nSteps=40, n=8, nz=1, interval=5):
     """An elastic slab, clamped at its ends, pushed from below at one half and
-    pulled at the other; fluid in rigid walls above."""
+    pulled at the other; fluid in rigid walls above. With nz > 1 in three
+    dimensions, clamped in front and behind."""
     shutil.rmtree(case, ignore_errors=True)
     (case/"system").mkdir(parents=True)
     writeSystem(case, scheme, dt, nSteps, interval, tolerance)
-    points = "".join(f"({x} {y} {z}) " for z in (0, 0.1)
+    points = "".join(f"({x} {y} {z}) " for z in (0, 0.1 if nz == 1 else 1)
                      for y in (-0.25, 0, 1) for x in (0, 0.5, 1))
-    block = "hex ({0} {1} {3} {2} {4} {5} {7} {6}) {8} ({9} {10} 1)" \
+    block = "hex ({0} {1} {3} {2} {4} {5} {7} {6}) {8} ({9} {10} {11})" \
             " simpleGrading (1 1 1)\n"
     blocks = "".join(
         block.format(a, a + 1, a + 3, a + 4, a + 9, a + 10, a + 12, a + 13,
-                     "solid" if a < 3 else "fluid", n//2, 2 if a < 3 else n)
+                     "solid" if a < 3 else "fluid", n//2, 2 if a < 3 else n, nz)
         for a in (0, 1, 3, 4))
     writeFile(
         case, "system/blockMeshDict", "dictionary",
@@ -259,7 +261,8 @@ def writeSlab(case, scheme, coupling, density, tolerance="1e-9", dt=0.02,
         "ends { type wall; faces ((0 9 12 3) (2 5 14 11)); }\n"
         "walls { type wall; faces ((3 12 15 6) (5 8 17 14)"
         " (6 15 16 7) (7 16 17 8)); }\n"
-        "frontAndBack { type empty; faces ((0 3 4 1) (1 4 5 2) (3 6 7 4)"
+        "frontAndBack { type " + ("empty" if nz == 1 else "wall")
+      + "; faces ((0 3 4 1) (1 4 5 2) (3 6 7 4)"
         " (4 7 8 5) (9 10 13 12) (10 11 14 13) (12 13 16 15)"
         " (13 14 17 16)); }\n);\n")
     writeFile(
@@ -275,33 +278,49 @@ def writeSlab(case, scheme, coupling, density, tolerance="1e-9", dt=0.02,
     def push(sign):
         return (
             "type solidTraction; pressure constant 0; traction table\n(\n"
-          + "".join(f"({i*dt:.12g} (0 {sign*FORCE*math.sin(2*math.pi*i*dt):.12g}"
-                    " 0))\n" for i in range(nSteps + 1))
+          + "".join("({:.12g} (0 {:.12g} 0))\n".format(
+              i*dt, sign*FORCE*math.sin(2*math.pi*i*dt))
+                    for i in range(nSteps + 1))
           + ");")
 
-    empty = {"frontAndBack": "type empty;"}
+    def sides(condition):
+        return {"frontAndBack": "type empty;" if nz == 1 else condition}
+
     writeField(case, "U", "volVectorField", "(0 0 0)",
-               {**empty, "ends": still, "walls": still,
+               {**sides(still), "ends": still, "walls": still,
                 "pushed": push(1), "pulled": push(-1)})
     writeField(case, "p", "volScalarField", "0",
-               {**empty, '"(ends|walls|pushed|pulled)"': "type zeroGradient;"})
+               {**sides("type zeroGradient;"),
+                '"(ends|walls|pushed|pulled)"': "type zeroGradient;"})
 
 
 FORCE = 2.0
 
 
-def area(case, folder, n):
-    """Of the fluid: 1 minus the area under the interface."""
+def volumeUnder(case, folder, n, nz):
+    """Volume under the interface, of triangles about the mean of the points of
+    its faces, and the largest displacement."""
     start = values(case/"constant"/"polyMesh"/"points")
     now = values(folder/"polyMesh"/"points")
-    line = sorted(
-        (start[i], now[i], now[i + 1]) for i in range(0, len(start), 3)
-        if abs(start[i + 1]) < 1e-12 and abs(start[i + 2]) < 1e-12)
-    if len(line) != n + 1:
-        raise ValueError(f"{len(line)} points of the interface")
-    under = sum(0.5*(a[2] + b[2])*(b[1] - a[1])
-                for a, b in zip(line, line[1:]))
-    return 1 - under, max(abs(p[2]) for p in line)
+    width = 0.1 if nz == 1 else 1.0
+    points = {}
+    for i in range(0, len(start), 3):
+        if abs(start[i + 1]) < 1e-12:
+            points[round(start[i]*n), round(start[i + 2]/width*nz)] = (
+                now[i:i + 3])
+    if len(points) != (n + 1)*(nz + 1):
+        raise ValueError(f"{len(points)} points of the interface")
+    volume = 0.0
+    for i in range(n):
+        for k in range(nz):
+            face = [points[i, k], points[i + 1, k],
+                    points[i + 1, k + 1], points[i, k + 1]]
+            c = [sum(p[d] for p in face)/4 for d in range(3)]
+            for a, b in zip(face, face[1:] + face[:1]):
+                area = 0.5*((a[0] - c[0])*(b[2] - c[2])
+                            - (a[2] - c[2])*(b[0] - c[0]))
+                volume += area*(a[1] + b[1] + c[1])/3
+    return volume/width, max(abs(p[1]) for p in points.values())
 
 
 def simulate(case):
@@ -310,31 +329,36 @@ def simulate(case):
 
 
 def checkVolume(counted, folder):
-    n = 8
-    for coupling, limit in (("implicit", 1e-10), ("explicit", 1e-2)):
-        for density in (100, 1, 0.01):
-            label = f"enclosed volume, {coupling}, rho_s/rho_f {density}"
-            case = folder/f"slab_{coupling}_{density}"
-            writeSlab(case, "backward", coupling, density)
-            fault = simulate(case)
-            if fault:
-                counted.check(False, f"{label}: {fault}")
-                continue
-            change = moved = 0.0
-            for t, time in times(case).items():
-                if t > 0:
-                    a, y = area(case, time, n)
-                    change = max(change, abs(a - 1))
-                    moved = max(moved, y)
-            log = (case/"log.umfsiFoam").read_text(errors="replace")
-            picard = [int(i) for i in re.findall(r"  Picard (\d+)", log)]
-            sweeps = [int(i) for i in re.findall(r"  sweeps (\d+)", log)]
-            counted.check(
-                change < limit and moved > 0.01,
-                f"{label}: changes by {change:.1e} (at most {limit:.0e}),"
-                f" interface moved by {moved:.3f},"
-                f" Picard iterations {sum(picard)/len(picard):.1f},"
-                f" sweeps {sum(sweeps)/len(sweeps):.1f}")
+    for coupling, density, nz, limit in (
+            ("implicit", 100, 1, 1e-10), ("implicit", 1, 1, 1e-10),
+            ("implicit", 0.01, 1, 1e-10), ("implicit", 1, 5, 1e-10),
+            ("explicit", 100, 1, 1e-2), ("explicit", 1, 1, 1e-2),
+            ("explicit", 0.01, 1, 1e-2)):
+        n = 8 if nz == 1 else 6
+        label = (f"enclosed volume, {2 if nz == 1 else 3}-D, {coupling},"
+                 f" rho_s/rho_f {density}")
+        case = folder/f"slab_{coupling}_{density}_{nz}"
+        writeSlab(case, "backward", coupling, density, n=n, nz=nz,
+                  nSteps=40 if nz == 1 else 20)
+        fault = simulate(case)
+        if fault:
+            counted.check(False, f"{label}: {fault}")
+            continue
+        change = moved = 0.0
+        for t, time in times(case).items():
+            if t > 0:
+                under, y = volumeUnder(case, time, n, nz)
+                change = max(change, abs(under))
+                moved = max(moved, y)
+        log = (case/"log.umfsiFoam").read_text(errors="replace")
+        picard = [int(i) for i in re.findall(r"  Picard (\d+)", log)]
+        sweeps = [int(i) for i in re.findall(r"  sweeps (\d+)", log)]
+        counted.check(
+            change < limit and moved > 0.01,
+            f"{label}: changes by {change:.1e} (at most {limit:.0e}),"
+            f" interface moved by {moved:.3f},"
+            f" Picard iterations {sum(picard)/len(picard):.1f},"
+            f" sweeps {sum(sweeps)/len(sweeps):.1f}")
 
 
 def sameFiles(a, b):

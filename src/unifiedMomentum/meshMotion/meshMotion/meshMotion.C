@@ -22,6 +22,7 @@ License
 #include "meshMotion.H"
 #include "cellPlace.H"
 #include "faceValue.H"
+#include "sweptVolume.H"
 #include "syncTools.H"
 #include "valuePointPatchField.H"
 
@@ -151,26 +152,6 @@ void Foam::meshMotion::sweep(const pointField& from, scalarField& swept) const
 {
     const fluxGeometry& geometry = flux_->geometry();
     const fluxGeometry::zone& fluid = geometry.cellsAndFaces(false);
-    const pointField& to = mesh_.points();
-
-    // Triangles whose corners go straight: S is a parabola in time. About the
-    // mean of the points, as volumes of warped faces are
-    const auto triangle = []
-    (
-        const vector& a,
-        const vector& b,
-        const vector& c,
-        const vector& a1,
-        const vector& b1,
-        const vector& c1
-    )
-    {
-        const vector e(b - a), f(c - a), e1(b1 - a1), f1(c1 - a1);
-        const vector em(e + e1), fm(f + f1);
-        const vector S((e ^ f) + (em ^ fm) + (e1 ^ f1));
-
-        return (S & (a1 - a + b1 - b + c1 - c))/36;
-    };
 
     for
     (
@@ -180,28 +161,8 @@ void Foam::meshMotion::sweep(const pointField& from, scalarField& swept) const
     {
         for (const label facei : faces)
         {
-            const face& f = mesh_.faces()[facei];
-
-            if (f.size() == 3)
-            {
-                swept[facei] = triangle
-                (
-                    from[f[0]], from[f[1]], from[f[2]],
-                    to[f[0]], to[f[1]], to[f[2]]
-                );
-                continue;
-            }
-
-            const point c(average(f.points(from)));
-            const point c1(average(f.points(to)));
-
-            swept[facei] = 0;
-            forAll(f, fp)
-            {
-                const label a = f[fp];
-                const label b = f.nextLabel(fp);
-                swept[facei] += triangle(from[a], from[b], c, to[a], to[b], c1);
-            }
+            swept[facei] =
+                sweptVolume(mesh_.faces()[facei], from, mesh_.points());
         }
     }
 }
@@ -370,77 +331,6 @@ void Foam::meshMotion::follow
         known.U[celli] =
             (V0*U0[celli] - V00*U00[celli])/geometry.V()[celli];
         known.volumeError[celli] = V0*e0[celli] - V00*e00[celli];
-    }
-}
-
-
-Foam::tmp<Foam::surfaceScalarField> Foam::meshMotion::relative
-(
-    const surfaceScalarField& phi
-) const
-{
-    tmp<surfaceScalarField> trelative
-    (
-        new surfaceScalarField
-        (
-            IOobject
-            (
-                phi.name(),
-                mesh_.time().timeName(),
-                mesh_,
-                IOobject::NO_READ,
-                IOobject::NO_WRITE,
-                false
-            ),
-            phi
-        )
-    );
-    surfaceScalarField& relative = trelative.ref();
-
-    forAll(relative, facei)
-    {
-        relative[facei] -= meshFlux_[facei];
-    }
-    forAll(relative.boundaryField(), patchi)
-    {
-        fvsPatchScalarField& phip = relative.boundaryFieldRef()[patchi];
-        forAll(phip, i)
-        {
-            phip[i] -= meshFlux_[phip.patch().start() + i];
-        }
-    }
-
-    return trelative;
-}
-
-
-void Foam::meshMotion::addMassDefect(scalarField& source) const
-{
-    const fluxGeometry& geometry = flux_->geometry();
-    const fluxGeometry::zone& fluid = geometry.cellsAndFaces(false);
-    const labelUList& own = mesh_.faceOwner();
-    const scalarField& rhoPhi = flux_->rhoPhi();
-
-    for (const label celli : fluid.cells)
-    {
-        source[celli] -=
-            geometry.materials()[celli].rho()
-           *(
-                rate_*(geometry.V()[celli] - oldV_[celli])
-              - oldRate_*(oldV_[celli] - oldOldV_[celli])
-            );
-    }
-    for (const label facei : fluid.internal)
-    {
-        source[own[facei]] -= rhoPhi[facei];
-        source[mesh_.faceNeighbour()[facei]] += rhoPhi[facei];
-    }
-    for (const labelList& faces : {fluid.coupled, fluid.ownSides})
-    {
-        for (const label facei : faces)
-        {
-            source[own[facei]] -= rhoPhi[facei];
-        }
     }
 }
 

@@ -23,6 +23,7 @@ License
 #include "testing.H"
 #include "interfacePoints.H"
 #include "pointLaplace.H"
+#include "sweptVolume.H"
 
 using namespace Foam;
 using namespace Foam::testing;
@@ -161,6 +162,48 @@ static void testLaplace(const fvMesh& mesh, const scalar exponent)
 }
 
 
+//- The volumes that the faces of a cell sweep are the change of its own
+static void testSweptVolume(const fvMesh& mesh)
+{
+    // About the mean of the points of faces that warp
+    const auto volume = [](const face& f, const pointField& x)
+    {
+        const point centre(average(f.points(x)));
+        scalar sum = 0;
+        forAll(f, fp)
+        {
+            sum += (x[f[fp]] ^ x[f.nextLabel(fp)]) & centre;
+        }
+        return sum/6;
+    };
+
+    pointField to(mesh.points());
+    forAll(to, pointi)
+    {
+        to[pointi] += 0.1*wave(pointi);
+    }
+
+    scalar error = 0;
+    scalar largest = 0;
+    forAll(mesh.cells(), celli)
+    {
+        scalar change = 0;
+        scalar swept = 0;
+        for (const label facei : mesh.cells()[celli])
+        {
+            const scalar sign = mesh.faceOwner()[facei] == celli ? 1 : -1;
+            const face& f = mesh.faces()[facei];
+            change += sign*(volume(f, to) - volume(f, mesh.points()));
+            swept += sign*sweptVolume(f, mesh.points(), to);
+        }
+        error = max(error, mag(change - swept));
+        largest = max(largest, mag(change));
+    }
+    check(largest > 1e-2, "volumes change");
+    checkSmall(error, 1e-14, "swept volumes sum up to the change");
+}
+
+
 // * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
 
 int main()
@@ -198,6 +241,7 @@ int main()
     (
         boxMesh(runTime(), gradedCells, gradedCells.points, zoneOf)
     );
+    testSweptVolume(mesh());
     testLaplace(mesh(), 0);
     testLaplace(mesh(), 1);
     testLaplace(mesh(), 2);
