@@ -22,7 +22,6 @@ License
 #include "pointLaplace.H"
 #include "indexedOctree.H"
 #include "treeDataPoint.H"
-#include "ListListOps.H"
 #include "syncTools.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -35,14 +34,22 @@ void Foam::pointLaplace::setWeights
 )
 {
     // Of all processes, so that the result does not depend on their number
-    List<pointField> gathered(Pstream::nProcs());
-    gathered[Pstream::myProcNo()] = movingPoints;
-    Pstream::gatherList(gathered);
-    Pstream::scatterList(gathered);
-    const pointField moving
-    (
-        ListListOps::combine<pointField>(gathered, accessOp<pointField>())
-    );
+    labelField sizes(Pstream::nProcs(), 0);
+    sizes[Pstream::myProcNo()] = movingPoints.size();
+    reduce(sizes, sumOp<labelField>());
+
+    label start = 0;
+    for (label proci = 0; proci < Pstream::myProcNo(); ++proci)
+    {
+        start += sizes[proci];
+    }
+
+    vectorField moving(sum(sizes), Zero);
+    forAll(movingPoints, i)
+    {
+        moving[start + i] = movingPoints[i];
+    }
+    reduce(moving, sumOp<vectorField>());
 
     weights_.setSize(mesh_.nEdges(), 0);
 

@@ -186,7 +186,6 @@ Foam::aggregationMultigrid::aggregationMultigrid
     finest_(&K),
     levels_(1)
 {
-    const label maxCoarsest = 300;
     const label maxLevels = 10;
 
     // No copies of large matrices on the way
@@ -196,12 +195,18 @@ Foam::aggregationMultigrid::aggregationMultigrid
     Eigen::MatrixXd B(modes);
     labelList groups(aggregates);
 
-    while
-    (
-        matrix(levels_.back()).rows()
-      > (nLevels() == 1 ? nDirect : maxCoarsest)
-     && nLevels() < maxLevels
-    )
+    const auto direct = [&]()
+    {
+        const sparseMatrix& A = matrix(levels_.back());
+
+        return
+            nLevels() == 1
+          ? A.rows() <= nDirect
+          : A.rows() <= 300
+         || (A.rows() <= 10000 && factorised::operations(A) < 2e9);
+    };
+
+    while (!direct() && nLevels() < maxLevels)
     {
         level& l = levels_.back();
         const sparseMatrix& A = matrix(l);

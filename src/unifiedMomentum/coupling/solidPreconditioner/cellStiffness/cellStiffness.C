@@ -24,7 +24,11 @@ License
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::cellStiffness::addFace(const label celli, const label facei)
+Foam::cellStiffness::velocity Foam::cellStiffness::beyond
+(
+    const label celli,
+    const label facei
+) const
 {
     const fluxGeometry& geometry = nodes_.geometry();
     const fvMesh& mesh = geometry.mesh();
@@ -37,8 +41,7 @@ void Foam::cellStiffness::addFace(const label celli, const label facei)
     const vector& dxOther =
         owner ? geometry.dNei()[facei] : geometry.dOwn()[facei];
 
-    velocity v{-1, -1, tensor::I, dx, S/V_};
-    side s{velocities_.size(), 1, stress_.stiffness().of(facei, owner)};
+    velocity v{-1, -1, tensor::I, dx, S/geometry.V()[celli]};
 
     const tensor along(tensor::I - tensor(sqr(geometry.n(true)[facei])));
 
@@ -46,10 +49,8 @@ void Foam::cellStiffness::addFace(const label celli, const label facei)
     {
         case fluxGeometry::INSIDE:
         {
-            s.w = owner ? 1 - geometry.w()[facei] : geometry.w()[facei];
             v.x = dx - dxOther;
-            v.g *= s.w;
-            velocities_[0].g += (1 - s.w)/V_*S;
+            v.g *= weight(celli, facei);
 
             if (mesh.isInternalFace(facei))
             {
@@ -110,8 +111,46 @@ void Foam::cellStiffness::addFace(const label celli, const label facei)
         }
     }
 
-    velocities_.append(v);
-    sides_.append(s);
+    return v;
+}
+
+
+Foam::scalar Foam::cellStiffness::weight
+(
+    const label celli,
+    const label facei
+) const
+{
+    const fluxGeometry& geometry = nodes_.geometry();
+    const bool owner = geometry.mesh().faceOwner()[facei] == celli;
+
+    return
+        geometry.kind(facei) != fluxGeometry::INSIDE ? 1
+      : owner ? 1 - geometry.w()[facei]
+      : geometry.w()[facei];
+}
+
+
+void Foam::cellStiffness::addFace(const label celli, const label facei)
+{
+    const fvMesh& mesh = nodes_.geometry().mesh();
+    const bool owner = mesh.faceOwner()[facei] == celli;
+    const scalar w = weight(celli, facei);
+
+    sides_.append
+    (
+        side
+        {
+            facei,
+            velocities_.size(),
+            w,
+            stress_.stiffness().of(facei, owner)
+        }
+    );
+    velocities_.append(beyond(celli, facei));
+
+    velocities_[0].g +=
+        (owner ? 1 : -1)*(1 - w)/V_*nodes_.geometry().S(true)[facei];
 }
 
 
@@ -159,19 +198,41 @@ void Foam::cellStiffness::setJumps()
 }
 
 
+void Foam::cellStiffness::softenVolume(const label celli)
+{
+    const fluxGeometry& geometry = nodes_.geometry();
+    scalar skewness = 0;
+
+    for (const label facei : geometry.mesh().cells()[celli])
+    {
+        if (geometry.kind(facei) == fluxGeometry::INSIDE)
+        {
+            skewness +=
+                mag(geometry.mesh().faceAreas()[facei])
+               *mag(geometry.skew()[facei])/V_;
+        }
+    }
+
+    lambda_ /= 1 + 0.1*sqr(skewness)*lambda_/mu_;
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::cellStiffness::cellStiffness
 (
     const solidNodes& nodes,
-    const stressFlux& stress
+    const stressFlux& stress,
+    const bool withLinks
 )
 :
     nodes_(nodes),
     stress_(stress),
+    withLinks_(withLinks && stress.links().active()),
     V_(0),
     mu_(0),
-    lambda_(0)
+    lambda_(0),
+    linked_(false)
 {}
 
 
@@ -202,8 +263,21 @@ Foam::cellStiffness::set(const label celli)
         }
     }
 
-    correctGradient();
-    setJumps();
+    if (geometry.skewed(true))
+    {
+        softenVolume(celli);
+    }
+
+    linked_ = addLinks(celli);
+    if (linked_)
+    {
+        setLinked();
+    }
+    else
+    {
+        correctGradient();
+        setJumps();
+    }
 
     return velocities_;
 }
@@ -211,6 +285,23 @@ Foam::cellStiffness::set(const label celli)
 
 Foam::tensor Foam::cellStiffness::block(const label i, const label j) const
 {
+    const tensor Ti(velocities_[i].T.T());
+
+    if (linked_)
+    {
+        tensor K;
+        for (direction k = 0; k < 3; ++k)
+        {
+            for (direction l = 0; l < 3; ++l)
+            {
+                K(k, l) = K_(3*i + k, 3*j + l);
+            }
+        }
+        const tensor KTj(K & velocities_[j].T);
+
+        return Ti & KTj;
+    }
+
     const vector& gi = velocities_[i].g;
     const vector& gj = velocities_[j].g;
 
@@ -229,7 +320,6 @@ Foam::tensor Foam::cellStiffness::block(const label i, const label j) const
         }
     }
 
-    const tensor Ti(velocities_[i].T.T());
     const tensor KTj(K & velocities_[j].T);
 
     return Ti & KTj;

@@ -294,12 +294,13 @@ void Foam::solidStiffness::restoreBase()
 Foam::solidStiffness::solidStiffness
 (
     const solidNodes& nodes,
-    const stressFlux& stress
+    const stressFlux& stress,
+    const bool withLinks
 )
 :
     nodes_(nodes)
 {
-    cellStiffness cell(nodes, stress);
+    cellStiffness cell(nodes, stress, withLinks);
 
     setPattern(cell);
     setValues(cell);
