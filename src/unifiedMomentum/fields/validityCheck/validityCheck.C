@@ -41,6 +41,11 @@ namespace Foam
         "    The equations and the mesh are those of small displacements:"
         " README, Limits. This is\n"
         "    said once.";
+
+    static const char* const smallStrains =
+        "    The equations of solids are those of small strains and rotations:"
+        " README, Limits. This is\n"
+        "    said once.";
 }
 
 
@@ -364,7 +369,7 @@ void Foam::validityCheck::checkStep
             << "At time " << mesh.time().timeName() << " the gradient of D"
             << " (strain, rotation) is " << largest.y() << ", above "
             << largestGradient << nl << "        " << place.text().c_str()
-            << nl << saidOnce << endl;
+            << nl << (geometry_.moves() ? smallStrains : saidOnce) << endl;
     }
 
     displacement_ = max(displacement_, largest.x());
