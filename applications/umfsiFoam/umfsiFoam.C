@@ -25,7 +25,8 @@ Group
 
 Description
     Transient solver for incompressible laminar flow and linear-elastic solids
-    on one mesh at rest, with one momentum equation for both.
+    on one mesh, with one momentum equation for both. The mesh is at rest, or
+    the fluid's part of it follows the solid.
 
     \heading Solver details
     Every cell, fluid or solid, has the equation
@@ -63,6 +64,11 @@ Description
         U       | Velocity [m/s]
         p       | Pressure [Pa]
         D       | Displacement [m], optional
+    \endplaintable
+
+    \heading Optional dictionary
+    \plaintable
+        constant/dynamicMeshDict | mesh that follows the solid, see meshMotion
     \endplaintable
 
     \heading Required dictionaries

@@ -180,10 +180,9 @@ void Foam::solidTractionFvPatchVectorField::rmap
 
 
 Foam::tmp<Foam::vectorField>
-Foam::solidTractionFvPatchVectorField::traction() const
+Foam::solidTractionFvPatchVectorField::traction(const vectorField& n) const
 {
     const scalar t = db().time().timeOutputValue();
-    const vectorField n(patch().nf());
 
     if (!given())
     {

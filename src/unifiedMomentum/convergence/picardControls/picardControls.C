@@ -132,11 +132,16 @@ void Foam::picardControls::readTolerances(const dictionary& control)
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::picardControls::picardControls(const fvMesh& mesh)
+Foam::picardControls::picardControls
+(
+    const fvMesh& mesh,
+    const label defaultOuterCorrectors
+)
 :
     mesh_(mesh),
     tolerance_(blockResiduals::nBlocks, 0.0),
-    nOuterCorrectors_(1),
+    defaultOuterCorrectors_(defaultOuterCorrectors),
+    nOuterCorrectors_(defaultOuterCorrectors),
     stopIfNotConverged_(false),
     maxUnconverged_(20)
 {}
@@ -180,7 +185,8 @@ void Foam::picardControls::read()
         }
     }
 
-    nOuterCorrectors_ = checkRange(pimple, "nOuterCorrectors", 1, 1);
+    nOuterCorrectors_ =
+        checkRange(pimple, "nOuterCorrectors", defaultOuterCorrectors_, 1);
     pimple.getOrDefault("momentumPredictor", true);
     checkRange(pimple, "nCorrectors", 3, 1);
     checkRange(pimple, "nNonOrthogonalCorrectors", 0, 0);

@@ -322,7 +322,8 @@ Foam::enclosedFluids::enclosedFluids
     refCell_(-1),
     refValue_(0),
     solvedBetaDt_(-1),
-    betaDt_(-1)
+    betaDt_(-1),
+    timeIndex_(-1)
 {
     setRegions();
     readReference(p);
@@ -358,13 +359,25 @@ void Foam::enclosedFluids::update(solidSolver& solid)
 {
     const scalar betaDt = op_.flux().betaDt();
 
-    if (!nElastic_ || betaDt == betaDt_)
+    const bool moves = op_.geometry().moves();
+
+    if (!nElastic_ || (betaDt == betaDt_ && !moves))
     {
         return;
     }
 
-    if (solvedBetaDt_ < 0 || mag(betaDt/solvedBetaDt_ - 1) > 0.25)
+    // Surfaces that move are pushed another way: anew in each time step, so
+    // that a restart finds the same modes
+    const label timeIndex = op_.geometry().mesh().time().timeIndex();
+
+    if
+    (
+        solvedBetaDt_ < 0
+     || mag(betaDt/solvedBetaDt_ - 1) > 0.25
+     || (moves && timeIndex != timeIndex_)
+    )
     {
+        timeIndex_ = timeIndex;
         solveModes(solid);
         solvedBetaDt_ = betaDt;
     }
@@ -482,7 +495,15 @@ Foam::List<Foam::enclosedFluids::region> Foam::enclosedFluids::regions
         }
     }
 
-    const scalarField volumes(sums(displaced));
+    scalarField volumes(sums(displaced));
+    if (geometry.moves())
+    {
+        volumes = sums(geometry.V());
+        forAll(volumes, i)
+        {
+            volumes[i] -= volume_[i];
+        }
+    }
     const scalarField pressures(sums(geometry.V()*p));
 
     List<region> result(nElastic_);

@@ -118,7 +118,7 @@ void Foam::interfaceCompliance::setRowSum
 
                     b[wall.solidCell][k] +=
                         (owner ? own : nei)/(own + nei)
-                       *wall.n[k]*mag(mesh.faceAreas()[wall.facei]);
+                       *wall.n[k]*mag(geometry.S(true)[wall.facei]);
                 }
             }
 
@@ -145,7 +145,7 @@ void Foam::interfaceCompliance::setRowSum
                         wall.n[k]
                        *(
                             (ownerSolid ? own : nei)*uS[k]
-                          + wall.n[k]*mag(mesh.faceAreas()[wall.facei])
+                          + wall.n[k]*mag(geometry.S(true)[wall.facei])
                         )/(own + nei);
                 }
             }
@@ -208,7 +208,7 @@ void Foam::interfaceCompliance::update
     forAll(walls_, walli)
     {
         const wallFace& wall = walls_[walli];
-        const scalar S = mag(mesh.faceAreas()[wall.facei]);
+        const scalar S = mag(geometry.S(true)[wall.facei]);
         const vector nn(cmptMultiply(wall.n, wall.n));
         const vector& aS =
             wall.solidCell >= 0

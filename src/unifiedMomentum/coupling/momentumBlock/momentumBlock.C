@@ -105,7 +105,7 @@ void Foam::momentumBlock::update
     const fvMesh& mesh = geometry.mesh();
     const labelUList& own = mesh.faceOwner();
     const labelUList& nei = mesh.faceNeighbour();
-    const vectorField& n = geometry.n();
+    const vectorField& n = geometry.n(solid_);
     const fluxGeometry::zone& zone = geometry.cellsAndFaces(solid_);
 
     scalarField out;

@@ -41,13 +41,14 @@ void Foam::sweep::setSides()
     {
         const label celli =
             owner ? mesh.faceOwner()[facei] : mesh.faceNeighbour()[facei];
-        const stressFlux& stress = op_.flux().stress(materials.solid(celli));
+        const bool solid = materials.solid(celli);
+        const stressFlux& stress = op_.flux().stress(solid);
 
         vector a(vector::one*stress.sideDiffusion(facei, owner));
 
         if (geometry.kind(facei) != fluxGeometry::SLIP)
         {
-            const vector& n = geometry.n()[facei];
+            const vector& n = geometry.n(solid)[facei];
             a += stress.sideExtraNormal(facei, owner)*cmptMultiply(n, n);
         }
 
@@ -85,6 +86,40 @@ void Foam::sweep::setSides()
 
         solidSide_[wall.i] =
             ownerFluid ? neiSide_[wall.i] : ownSide_[wall.i];
+    }
+}
+
+
+void Foam::sweep::setSidesOfSolids()
+{
+    const fluxGeometry& geometry = op_.geometry();
+
+    const vectorField ownReference(ownSideOfSolids_);
+    const vectorField neiReference(neiSideOfSolids_);
+
+    ownSideOfSolids_ = ownSide_;
+    neiSideOfSolids_ = neiSide_;
+
+    if (!geometry.moves())
+    {
+        return;
+    }
+
+    for (const interfaceCompliance::wallFace& wall : compliance_.walls())
+    {
+        const bool ownerFluid =
+            wall.fluidCell >= 0
+          ? geometry.mesh().faceOwner()[wall.facei] == wall.fluidCell
+          : geometry.mesh().faceOwner()[wall.facei] != wall.solidCell;
+
+        if (ownerFluid)
+        {
+            ownSideOfSolids_[wall.i] = ownReference[wall.i];
+        }
+        else
+        {
+            neiSideOfSolids_[wall.i] = neiReference[wall.i];
+        }
     }
 }
 
@@ -452,12 +487,14 @@ Foam::sweep::sweep(unifiedOperator& op)
     compliance_(op.flux(), solidZone_),
     ownSide_(op.geometry().unknownFaces().size(), Zero),
     neiSide_(ownSide_),
+    ownSideOfSolids_(ownSide_),
+    neiSideOfSolids_(ownSide_),
     solidSide_(ownSide_),
     diag_(op.geometry().mesh().nCells(), vector::one),
     D_(op.geometry().mesh().nCells(), 0),
     faceD_(op.geometry().mesh().nFaces(), 0),
     viscous_(D_),
-    solid_(op, solidMomentum_, ownSide_, neiSide_),
+    solid_(op, solidMomentum_, ownSideOfSolids_, neiSideOfSolids_),
     enclosed_
     (
         op,
@@ -476,6 +513,13 @@ Foam::sweep::sweep(unifiedOperator& op)
     {
         pressure_.reset(new zoneMatrix(fluidZone_, "p"));
     }
+
+    if (op.geometry().moves())
+    {
+        setSides();
+        ownSideOfSolids_ = ownSide_;
+        neiSideOfSolids_ = neiSide_;
+    }
 }
 
 
@@ -488,13 +532,14 @@ void Foam::sweep::update()
     if (betaDt_ != op_.flux().betaDt())
     {
         setSides();
+        setSidesOfSolids();
 
         if (solidZone_.valid())
         {
             solidMomentum_.update
             (
-                ownSide_,
-                neiSide_,
+                ownSideOfSolids_,
+                neiSideOfSolids_,
                 op_.source(),
                 mesh.solverDict("D")
             );
@@ -502,8 +547,8 @@ void Foam::sweep::update()
             compliance_.update
             (
                 solidMomentum_,
-                ownSide_,
-                neiSide_,
+                ownSideOfSolids_,
+                neiSideOfSolids_,
                 op_.source(),
                 mesh.solverDict("D")
             );

@@ -29,14 +29,21 @@ Foam::unifiedOperator::unifiedOperator(momentumFlux& flux)
     source_(flux.geometry().mesh().nCells(), 0),
     mass_(flux.geometry().V())
 {
-    forAll(mass_, celli)
-    {
-        mass_[celli] *= geometry().materials()[celli].rho();
-    }
+    updateMass();
 }
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::unifiedOperator::updateMass()
+{
+    forAll(mass_, celli)
+    {
+        mass_[celli] =
+            geometry().V()[celli]*geometry().materials()[celli].rho();
+    }
+}
+
 
 void Foam::unifiedOperator::apply(const unifiedVector& v, unifiedVector& y)
 {

@@ -41,6 +41,11 @@ namespace Foam
         "    The equations and the mesh are those of small displacements:"
         " README, Limits. This is\n"
         "    said once.";
+
+    static const char* const smallStrains =
+        "    The equations of solids are those of small strains and rotations:"
+        " README, Limits. This is\n"
+        "    said once.";
 }
 
 
@@ -330,7 +335,7 @@ void Foam::validityCheck::checkStep
         returnReduce(vector2D(ratio, gradient), maxOp<vector2D>())
     );
 
-    if (largest.x() > 1 && displacement_ <= 1)
+    if (largest.x() > 1 && displacement_ <= 1 && !geometry_.moves())
     {
         cellPlace place;
         if (ratioCell >= 0)
@@ -346,7 +351,9 @@ void Foam::validityCheck::checkStep
             << "At time " << mesh.time().timeName() << " an interface has"
             << " moved by " << largest.x() << " of the thickness of the fluid's"
             << " first cell" << nl << "        " << place.text().c_str() << nl
-            << saidOnce << endl;
+            << saidOnce << nl
+            << "    A mesh that follows: constant/dynamicMeshDict, section 4 of"
+            << " the user guide" << endl;
     }
 
     if (largest.y() > largestGradient && gradient_ <= largestGradient)
@@ -362,7 +369,7 @@ void Foam::validityCheck::checkStep
             << "At time " << mesh.time().timeName() << " the gradient of D"
             << " (strain, rotation) is " << largest.y() << ", above "
             << largestGradient << nl << "        " << place.text().c_str()
-            << nl << saidOnce << endl;
+            << nl << (geometry_.moves() ? smallStrains : saidOnce) << endl;
     }
 
     displacement_ = max(displacement_, largest.x());
@@ -381,7 +388,8 @@ void Foam::validityCheck::report() const
 
     Info<< nl << "Largest gradient of D: " << gradient_
         << ", displacement across an interface: " << displacement_
-        << " of the fluid's cell" << endl;
+        << " of the fluid's cell" << (geometry_.moves() ? ", which follows" : "")
+        << endl;
 }
 
 

@@ -44,15 +44,21 @@ Foam::cellLengths::cellLengths(const fluxGeometry& geometry)
             continue;
         }
 
-        const scalar S = mag(mesh.faceAreas()[facei]);
+        const auto S = [&](const label celli)
+        {
+            return mag(geometry.S(geometry.materials().solid(celli))[facei]);
+        };
+        const label own = mesh.faceOwner()[facei];
 
-        lengths_[mesh.faceOwner()[facei]] +=
-            S*geometry.hOwn()[facei]*sqr(solved_ & geometry.dOwn()[facei]);
+        lengths_[own] +=
+            S(own)*geometry.hOwn()[facei]*sqr(solved_ & geometry.dOwn()[facei]);
 
         if (mesh.isInternalFace(facei))
         {
-            lengths_[mesh.faceNeighbour()[facei]] +=
-                S*geometry.hNei()[facei]*sqr(solved_ & geometry.dNei()[facei]);
+            const label nei = mesh.faceNeighbour()[facei];
+
+            lengths_[nei] +=
+                S(nei)*geometry.hNei()[facei]*sqr(solved_ & geometry.dNei()[facei]);
         }
     }
 

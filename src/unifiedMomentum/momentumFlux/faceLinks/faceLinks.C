@@ -86,8 +86,8 @@ void Foam::faceLinks::setAxes(const cellLengths& lengths)
 {
     const fvMesh& mesh = geometry_.mesh();
 
-    ownAxis_ = geometry_.n();
-    neiAxis_ = geometry_.n();
+    ownAxis_ = geometry_.n(solid_);
+    neiAxis_ = geometry_.n(solid_);
     ownSlender_.setSize(ownAxis_.size(), 0);
     neiSlender_.setSize(ownAxis_.size(), 0);
 
@@ -146,7 +146,7 @@ void Foam::faceLinks::setDistances()
     // d is twice what the cell's own gradient gives
     for (const label facei : zone_.symmetry)
     {
-        const vector& n = geometry_.n()[facei];
+        const vector& n = geometry_.n(solid_)[facei];
         d_[facei] = (n & geometry_.dOwn()[facei])*n;
     }
 }
@@ -256,7 +256,7 @@ void Foam::faceLinks::setTwist(const cellLengths& lengths)
     const auto resist = [&](const label facei, const scalar shortestN)
     {
         twist_[facei] =
-            0.95*mag(mesh.faceAreas()[facei])
+            0.95*mag(geometry_.S(solid_)[facei])
            *(
                 w[facei]*sqr(shortest[own[facei]])
               + (1 - w[facei])*sqr(shortestN)
@@ -281,6 +281,7 @@ void Foam::faceLinks::setTwist(const cellLengths& lengths)
 Foam::faceLinks::faceLinks(const fluxGeometry& geometry, const bool solid)
 :
     geometry_(geometry),
+    solid_(solid),
     zone_(geometry.cellsAndFaces(solid)),
     wanted_(false),
     active_(false),

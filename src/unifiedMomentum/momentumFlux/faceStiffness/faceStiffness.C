@@ -36,7 +36,8 @@ void Foam::faceStiffness::setSide
     scalar& aN
 ) const
 {
-    const scalar S = mag(geometry_.mesh().faceAreas()[facei]);
+    const scalar S =
+        mag(geometry_.S(geometry_.materials().solid(celli))[facei]);
 
     switch (geometry_.materials()[celli].faceStiffness())
     {
@@ -92,7 +93,17 @@ Foam::faceStiffness::faceStiffness
     neiT_(ownT_),
     neiN_(ownT_)
 {
+    updateLengths();
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::faceStiffness::updateLengths()
+{
     const fvMesh& mesh = geometry_.mesh();
+
+    hMin_ = GREAT;
 
     forAll(mesh.faces(), facei)
     {
@@ -110,8 +121,6 @@ Foam::faceStiffness::faceStiffness
     }
 }
 
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::faceStiffness::set
 (
@@ -184,7 +193,9 @@ Foam::scalar Foam::faceStiffness::extraNormal
 
     const vector& axis = owner ? ownAxis_[facei] : neiAxis_[facei];
 
-    return aN*sqr(axis & geometry_.n()[facei]);
+    return
+        aN
+       *sqr(axis & geometry_.n(geometry_.materials().solid(celli))[facei]);
 }
 
 

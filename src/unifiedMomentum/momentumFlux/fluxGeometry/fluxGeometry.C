@@ -144,7 +144,15 @@ void Foam::fluxGeometry::setLengths()
 
     forAll(kind_, facei)
     {
-        n_[facei] = Sf[facei]/mag(Sf[facei]);
+        if (moved(facei))
+        {
+            n_[facei] = Sf[facei]/mag(Sf[facei]);
+        }
+        if (!moved(facei) || stays(own[facei]))
+        {
+            continue;
+        }
+
         dOwn_[facei] = Cf[facei] - C[own[facei]];
         hOwn_[facei] =
             max(n_[facei] & dOwn_[facei], hMin*mag(dOwn_[facei]));
@@ -163,8 +171,16 @@ void Foam::fluxGeometry::setLengths()
 
     forAll(kind_, facei)
     {
-        if (mesh_.isInternalFace(facei))
+        if (!moved(facei))
         {
+            continue;
+        }
+        else if (mesh_.isInternalFace(facei))
+        {
+            if (stays(mesh_.faceNeighbour()[facei]))
+            {
+                continue;
+            }
             dNei_[facei] = Cf[facei] - C[mesh_.faceNeighbour()[facei]];
         }
         else if (coupled(facei))
@@ -189,6 +205,11 @@ void Foam::fluxGeometry::setLengths()
 
 void Foam::fluxGeometry::setWarp()
 {
+    if (started_ && !warped(false))
+    {
+        return;
+    }
+
     const pointField& points = mesh_.points();
     const vectorField& Cf = mesh_.faceCentres();
     const scalarField magSf(mag(mesh_.faceAreas()));
@@ -199,10 +220,12 @@ void Foam::fluxGeometry::setWarp()
     {
         const face& f = mesh_.faces()[facei];
 
-        if (kind_[facei] != INSIDE || f.size() == 3)
+        if (kind_[facei] != INSIDE || f.size() == 3 || !moved(facei))
         {
             continue;
         }
+
+        warp_[facei] = Zero;
 
         // The triangles of primitiveMesh::faceCentres
         const point centre(average(f.points(points)));
@@ -221,9 +244,14 @@ void Foam::fluxGeometry::setWarp()
         maxWarp = max(maxWarp, mag(warp_[facei])/pow(magSf[facei], 1.5));
     }
 
-    warped_ = returnReduce(maxWarp, maxOp<scalar>()) > 1e-9;
+    if (!started_)
+    {
+        warped_[true] = returnReduce(maxWarp, maxOp<scalar>()) > 1e-9;
+        // In two dimensions no motion warps a face
+        warped_[false] = warped_[true] || (moves_ && mesh_.nGeometricD() == 3);
+    }
 
-    if (!warped_)
+    if (!warped())
     {
         warp_.clear();
         return;
@@ -231,6 +259,11 @@ void Foam::fluxGeometry::setWarp()
 
     forAll(kind_, facei)
     {
+        if (!moved(facei) || kind_[facei] != INSIDE)
+        {
+            continue;
+        }
+
         const scalar dV = tr(warp_[facei])/3;
 
         V_[mesh_.faceOwner()[facei]] += dV;
@@ -263,7 +296,7 @@ void Foam::fluxGeometry::setSkewness()
 
     forAll(kind_, facei)
     {
-        if (kind_[facei] == IGNORED)
+        if (kind_[facei] == IGNORED || !moved(facei))
         {
             continue;
         }
@@ -295,9 +328,14 @@ void Foam::fluxGeometry::setSkewness()
         }
     }
 
-    skewed_ = returnReduce(maxSkew, maxOp<scalar>()) > 1e-9 || warped_;
+    if (!started_)
+    {
+        skewed_[true] =
+            returnReduce(maxSkew, maxOp<scalar>()) > 1e-9 || warped_[true];
+        skewed_[false] = skewed_[true] || moves_;
+    }
 
-    if (!skewed_)
+    if (!skewed())
     {
         skew_.clear();
         return;
@@ -306,7 +344,10 @@ void Foam::fluxGeometry::setSkewness()
     invB_.setSize(mesh_.nCells());
     forAll(B, celli)
     {
-        invB_[celli] = inv(B[celli]/V_[celli] + removed);
+        if (!stays(celli))
+        {
+            invB_[celli] = inv(B[celli]/V_[celli] + removed);
+        }
     }
 }
 
@@ -389,20 +430,49 @@ void Foam::fluxGeometry::setUnknowns()
 }
 
 
+void Foam::fluxGeometry::keepReference()
+{
+    S0_ = mesh_.faceAreas();
+    n0_ = n_;
+    cellCentres0_ = mesh_.cellCentres();
+    faceCentres0_ = mesh_.faceCentres();
+
+    const labelList beyond(materials_.boundaryNeighbour());
+
+    atFluid_.setSize(mesh_.nFaces());
+    forAll(atFluid_, facei)
+    {
+        atFluid_[facei] =
+            !materials_.solid(mesh_.faceOwner()[facei])
+         || !(
+                mesh_.isInternalFace(facei)
+              ? materials_.solid(mesh_.faceNeighbour()[facei])
+              : materials_.materials()
+                [
+                    beyond[facei - mesh_.nInternalFaces()]
+                ].solid()
+            );
+    }
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::fluxGeometry::fluxGeometry
 (
     const materialZones& materials,
-    const volVectorField& U
+    const volVectorField& U,
+    const bool moves
 )
 :
     mesh_(U.mesh()),
     materials_(materials),
     kind_(mesh_.nFaces(), IGNORED),
     anyCoupled_(false),
-    skewed_(false),
-    warped_(false),
+    moves_(moves),
+    started_(false),
+    skewed_{false, false},
+    warped_{false, false},
     w_(mesh_.nFaces(), 0),
     n_(mesh_.nFaces(), Zero),
     dOwn_(mesh_.nFaces(), Zero),
@@ -422,10 +492,29 @@ Foam::fluxGeometry::fluxGeometry
     setZone(zones_[false], false);
     setZone(zones_[true], true);
     setUnknowns();
+
+    if (moves_)
+    {
+        keepReference();
+    }
+    started_ = true;
 }
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::fluxGeometry::update()
+{
+    for (const label celli : zones_[false].cells)
+    {
+        V_[celli] = mesh_.cellVolumes()[celli];
+    }
+
+    setLengths();
+    setWarp();
+    setSkewness();
+}
+
 
 bool Foam::fluxGeometry::coupled(const label facei) const
 {

@@ -33,7 +33,7 @@ void Foam::gaussGradient<Type>::sumFaces
     const fvMesh& mesh = geometry_.mesh();
     const labelUList& own = mesh.faceOwner();
     const labelUList& nei = mesh.faceNeighbour();
-    const vectorField& S = mesh.faceAreas();
+    const vectorField& S = geometry_.S(solid_);
 
     for (const label celli : zone_.cells)
     {
@@ -90,14 +90,14 @@ void Foam::gaussGradient<Type>::correct
     Type& uf
 )
 {
-    if (geometry_.skewed())
+    if (geometry_.skewed(solid_))
     {
         const scalar w = geometry_.w()[facei];
         const GradType Gf(w*GP + (1 - w)*GN);
 
         uf += geometry_.skew()[facei] & Gf;
 
-        if (geometry_.warped())
+        if (geometry_.warped(solid_))
         {
             faceGrad_[facei] = Gf;
         }
@@ -125,7 +125,7 @@ void Foam::gaussGradient<Type>::correctFaceValues(Field<Type>& uf)
     }
 
     // Without skew faces B is a unit tensor
-    if (geometry_.skewed())
+    if (geometry_.skewed(solid_))
     {
         for (const label celli : zone_.cells)
         {
@@ -149,7 +149,7 @@ void Foam::gaussGradient<Type>::correctFaceValues(Field<Type>& uf)
     {
         const GradType& G = cellGrad_[own[facei]];
 
-        if (geometry_.skewed())
+        if (geometry_.skewed(solid_))
         {
             uf[facei] += mirrored(facei, geometry_.skew()[facei] & G);
         }
@@ -188,11 +188,12 @@ Foam::gaussGradient<Type>::gaussGradient
 )
 :
     geometry_(geometry),
+    solid_(solid),
     zone_(geometry.cellsAndFaces(solid)),
     links_(links && links->active() ? links : nullptr),
-    twoStages_(geometry.skewed() || links_),
+    twoStages_(geometry.skewed(solid) || links_),
     cellGrad_(twoStages_ ? geometry.mesh().nCells() : 0, Zero),
-    faceGrad_(geometry.warped() ? geometry.mesh().nFaces() : 0, Zero),
+    faceGrad_(geometry.warped(solid) ? geometry.mesh().nFaces() : 0, Zero),
     rotation_(links_ && links_->twists() ? geometry.mesh().nFaces() : 0, 0)
 {}
 
@@ -250,7 +251,7 @@ void Foam::gaussGradient<Type>::cellGradients
 {
     sumFaces(uf, G);
 
-    if (geometry_.warped())
+    if (geometry_.warped(solid_))
     {
         const labelUList& own = geometry_.mesh().faceOwner();
         const labelUList& nei = geometry_.mesh().faceNeighbour();

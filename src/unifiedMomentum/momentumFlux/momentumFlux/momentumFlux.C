@@ -216,16 +216,75 @@ void Foam::momentumFlux::addConvection
 }
 
 
+void Foam::momentumFlux::addPointPressure(vectorField& cellForce)
+{
+    const fvMesh& mesh = geometry_.mesh();
+    const vectorField& S = geometry_.S(false);
+    const scalarField& pf = pressure_.faceValues();
+    const labelList& faces = points_->faces();
+
+    vectorField local(faces.size());
+    forAll(faces, i)
+    {
+        local[i] = (points_->ownerFluid(i) ? -1 : 1)*pf[faces[i]]*S[faces[i]];
+    }
+
+    vectorField ofPoints(local);
+    points_->smoothTransposed(ofPoints);
+
+    forAll(faces, i)
+    {
+        // The face bears what its points do, the cell its own pressure
+        const vector more(ofPoints[i] - local[i]);
+        const label facei = faces[i];
+
+        if (points_->ownerFluid(i))
+        {
+            ownForce_[facei] += more;
+            cellForce[mesh.faceOwner()[facei]] -= more;
+        }
+        else
+        {
+            neiForce_[facei] += more;
+            cellForce[mesh.faceNeighbour()[facei]] -= more;
+        }
+    }
+}
+
+
+Foam::scalarField Foam::momentumFlux::pointFlux(const vectorField& Uf) const
+{
+    const vectorField& S = geometry_.S(false);
+    const labelList& faces = points_->faces();
+
+    vectorField u(faces.size());
+    forAll(faces, i)
+    {
+        u[i] = Uf[points_->unknowns()[i]];
+    }
+    points_->smooth(u);
+
+    scalarField phi(faces.size());
+    forAll(faces, i)
+    {
+        phi[i] = S[faces[i]] & u[i];
+    }
+
+    return phi;
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::momentumFlux::momentumFlux
 (
     const materialZones& materials,
     const volVectorField& U,
-    const volScalarField& p
+    const volScalarField& p,
+    const bool moves
 )
 :
-    geometry_(materials, U),
+    geometry_(materials, U, moves),
     fluidStress_(geometry_, false),
     solidStress_(geometry_, true),
     pressure_(geometry_, p),
@@ -239,6 +298,8 @@ Foam::momentumFlux::momentumFlux
     stokesDiag_(U.mesh().nCells(), 0),
     ownShareT_(geometry_.unknownFaces().size(), 0),
     ownShareN_(ownShareT_),
+    points_(nullptr),
+    interfaceRest_(),
     uFluid_(convectionCorrection_),
     vSolid_(convectionCorrection_),
     ownForce_(convectionCorrection_),
@@ -262,6 +323,42 @@ void Foam::momentumFlux::setBetaDt(const scalar betaDt)
 }
 
 
+void Foam::momentumFlux::updateGeometry()
+{
+    geometry_.update();
+    fluidStress_.updateGeometry();
+    pressure_.updateGeometry();
+
+    if (betaDt_ > 0)
+    {
+        setShares();
+        setRhieChow();
+    }
+}
+
+
+void Foam::momentumFlux::moveInterface(const interfacePoints& points)
+{
+    points_ = &points;
+    interfaceRest_.setSize(points.faces().size(), 0);
+}
+
+
+void Foam::momentumFlux::setInterfaceFlux
+(
+    const unifiedVector& z,
+    const scalarField& swept
+)
+{
+    interfaceRest_ = -pointFlux(z.Uf);
+
+    forAll(interfaceRest_, i)
+    {
+        interfaceRest_[i] += swept[points_->faces()[i]];
+    }
+}
+
+
 void Foam::momentumFlux::updateBoundary
 (
     const volVectorField& U,
@@ -280,15 +377,23 @@ void Foam::momentumFlux::updateBoundary
         }
         else if (isA<solidTractionFvPatchVectorField>(Up))
         {
+            const vectorField S
+            (
+                SubList<vector>
+                (
+                    geometry_.S(true), Up.size(), Up.patch().start()
+                )
+            );
+            const scalarField magS(mag(S));
             const vectorField traction
             (
-                refCast<const solidTractionFvPatchVectorField>(Up).traction()
+                refCast<const solidTractionFvPatchVectorField>(Up)
+               .traction(S/magS)
             );
 
             forAll(Up, i)
             {
-                prescribedForce_[start + i] =
-                    Up.patch().magSf()[i]*traction[i];
+                prescribedForce_[start + i] = magS[i]*traction[i];
             }
         }
         else
@@ -401,7 +506,7 @@ void Foam::momentumFlux::evaluateFluid
 )
 {
     const fluxGeometry::zone& fluid = geometry_.cellsAndFaces(false);
-    const vectorField& S = geometry_.mesh().faceAreas();
+    const vectorField& S = geometry_.S(false);
 
     setFaceVelocities(z, false, homogeneous, nullptr, uFluid_);
     fluidStress_.interpolate(z.U, uFluid_);
@@ -423,6 +528,11 @@ void Foam::momentumFlux::evaluateFluid
     {
         neiForce_[facei] =
             fluidStress_.neiForce()[facei] + pf[facei]*S[facei];
+    }
+
+    if (points_)
+    {
+        addPointPressure(cellForce);
     }
 }
 
@@ -563,7 +673,7 @@ void Foam::momentumFlux::divergence
     const fvMesh& mesh = geometry_.mesh();
     const labelUList& own = mesh.faceOwner();
     const labelUList& nei = mesh.faceNeighbour();
-    const vectorField& S = mesh.faceAreas();
+    const vectorField& S = geometry_.S(false);
     const fluxGeometry::zone& fluid = geometry_.cellsAndFaces(false);
 
     if (!current)
@@ -575,14 +685,30 @@ void Foam::momentumFlux::divergence
 
     div = 0;
 
+    // Of interfaces that take their points along
+    scalarField ofPoints(points_ ? mesh.nFaces() : 0);
+    if (points_)
+    {
+        const scalarField phiI(pointFlux(z.Uf));
+
+        forAll(phiI, i)
+        {
+            const label facei = points_->faces()[i];
+            ofPoints[facei] =
+                homogeneous ? phiI[i] : phiI[i] + interfaceRest_[i];
+        }
+    }
+
     const auto flux = [&](const label facei)
     {
         scalar phif =
-            (S[facei] & uFluid_[facei]) + pressure_.flux(facei, z.p);
+            points_ && geometry_.kind(facei) == fluxGeometry::INTERFACE
+          ? ofPoints[facei]
+          : (S[facei] & uFluid_[facei]) + pressure_.flux(facei, z.p);
 
         if
         (
-            geometry_.warped()
+            geometry_.warped(false)
          && geometry_.kind(facei) == fluxGeometry::INSIDE
         )
         {
@@ -677,7 +803,11 @@ void Foam::momentumFlux::stressField
 )
 {
     const materialZones& materials = geometry_.materials();
-    const scalarField magS(mag(geometry_.mesh().faceAreas()));
+    scalarField magS(mag(geometry_.S(false)));
+    for (const label facei : geometry_.cellsAndFaces(true).ownSides)
+    {
+        magS[facei] = mag(geometry_.S(true)[facei]);
+    }
 
     // The forces that the cells get, without convection
     vectorField cellForce(z.U.size());

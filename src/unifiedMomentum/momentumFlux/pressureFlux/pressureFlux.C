@@ -25,7 +25,7 @@ License
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::pressureFlux::setStencils(const boolList& extrapolate)
+void Foam::pressureFlux::setStencils()
 {
     const fvMesh& mesh = geometry_.mesh();
     const vectorField& dOwn = geometry_.dOwn();
@@ -52,14 +52,14 @@ void Foam::pressureFlux::setStencils(const boolList& extrapolate)
 
     for (const label facei : zone_.ownSides)
     {
-        if (extrapolate[facei])
+        if (extrapolate_[facei])
         {
             addSide(facei, mesh.faceOwner()[facei], dOwn[facei]);
         }
     }
     for (const label facei : zone_.neiSides)
     {
-        if (extrapolate[facei])
+        if (extrapolate_[facei])
         {
             addSide(facei, mesh.faceNeighbour()[facei], dNei[facei]);
         }
@@ -216,6 +216,7 @@ Foam::pressureFlux::pressureFlux
     geometry_(geometry),
     zone_(geometry.cellsAndFaces(false)),
     fixesP_(geometry.mesh().nFaces(), false),
+    extrapolate_(geometry.mesh().nFaces(), false),
     internalCoeff_(geometry.mesh().nFaces(), 0),
     reference_(internalCoeff_),
     anyIncomplete_(false),
@@ -224,11 +225,9 @@ Foam::pressureFlux::pressureFlux
     pf_(internalCoeff_),
     grad_(geometry.mesh().nCells(), Zero)
 {
-    boolList extrapolate(geometry.mesh().nFaces(), false);
-
     for (const label facei : geometry.unknownFaces())
     {
-        extrapolate[facei] = geometry.kind(facei) == fluxGeometry::INTERFACE;
+        extrapolate_[facei] = geometry.kind(facei) == fluxGeometry::INTERFACE;
     }
 
     forAll(p.boundaryField(), patchi)
@@ -245,12 +244,12 @@ Foam::pressureFlux::pressureFlux
         {
             const label facei = pp.patch().start() + i;
             fixesP_[facei] = pp.fixesValue();
-            extrapolate[facei] =
+            extrapolate_[facei] =
                 patchConditions::of(pp) == patchConditions::EXTRAPOLATED;
         }
     }
 
-    setStencils(extrapolate);
+    setStencils();
 }
 
 
@@ -328,7 +327,7 @@ void Foam::pressureFlux::setRhieChow(const scalarField& D)
     {
         return
             ((1 - w[facei])*D[own[facei]] + w[facei]*DN)
-           *mag(mesh.faceAreas()[facei])/(hOwn[facei] + hNei[facei]);
+           *mag(geometry_.S(false)[facei])/(hOwn[facei] + hNei[facei]);
     };
 
     for (const label facei : zone_.internal)
@@ -348,7 +347,7 @@ void Foam::pressureFlux::setRhieChow(const scalarField& D)
     {
         rhieChow_[facei] =
             fixesP_[facei]
-          ? D[own[facei]]*mag(mesh.faceAreas()[facei])/hOwn[facei]
+          ? D[own[facei]]*mag(geometry_.S(false)[facei])/hOwn[facei]
           : 0;
     }
 }
@@ -366,7 +365,7 @@ void Foam::pressureFlux::addPatchFlux
     {
         return
             (1 - internalCoeff_[facei])*D[mesh.faceOwner()[facei]]
-           *mag(mesh.faceAreas()[facei])/geometry_.hOwn()[facei];
+           *mag(geometry_.S(false)[facei])/geometry_.hOwn()[facei];
     };
 
     for (const label facei : zone_.ownSides)
@@ -409,7 +408,7 @@ void Foam::pressureFlux::addDynamicHeads
         );
 
         cellCoeffs[mesh.faceOwner()[head.facei]] +=
-            mesh.faceAreas()[head.facei][k]*ofCell[k];
+            geometry_.S(false)[head.facei][k]*ofCell[k];
     }
 }
 
@@ -484,8 +483,8 @@ void Foam::pressureFlux::addInsideForces(vectorField& cellForce) const
     const fvMesh& mesh = geometry_.mesh();
     const labelUList& own = mesh.faceOwner();
     const labelUList& nei = mesh.faceNeighbour();
-    const vectorField& S = mesh.faceAreas();
-    const bool warped = geometry_.warped();
+    const vectorField& S = geometry_.S(false);
+    const bool warped = geometry_.warped(false);
 
     const auto force = [&](const label facei)
     {

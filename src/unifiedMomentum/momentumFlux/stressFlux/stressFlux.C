@@ -99,7 +99,7 @@ void Foam::stressFlux::setSideForces()
     const fvMesh& mesh = geometry_.mesh();
     const labelUList& own = mesh.faceOwner();
     const labelUList& nei = mesh.faceNeighbour();
-    const vectorField& S = mesh.faceAreas();
+    const vectorField& S = geometry_.S(solid_);
 
     const auto ownSide = [&](const label facei)
     {
@@ -148,7 +148,7 @@ void Foam::stressFlux::addForces(vectorField& cellForce)
     const fvMesh& mesh = geometry_.mesh();
     const labelUList& own = mesh.faceOwner();
     const labelUList& nei = mesh.faceNeighbour();
-    const vectorField& S = mesh.faceAreas();
+    const vectorField& S = geometry_.S(solid_);
     const scalarField& w = geometry_.w();
 
     for (const label facei : zone_.internal)
@@ -178,6 +178,7 @@ void Foam::stressFlux::addForces(vectorField& cellForce)
 Foam::stressFlux::stressFlux(const fluxGeometry& geometry, const bool solid)
 :
     geometry_(geometry),
+    solid_(solid),
     zone_(geometry.cellsAndFaces(solid)),
     mu_(geometry.materials().materials().size()),
     lambda_(mu_.size()),
@@ -208,6 +209,13 @@ void Foam::stressFlux::setFactor(const scalar factor)
         lambda_[materiali] = factor*materials.materials()[materiali].lambda();
     }
 
+    stiffness_.set(mu_, lambda_);
+}
+
+
+void Foam::stressFlux::updateGeometry()
+{
+    stiffness_.updateLengths();
     stiffness_.set(mu_, lambda_);
 }
 
@@ -292,7 +300,7 @@ Foam::scalar Foam::stressFlux::diffusion(const label facei) const
 
     return
         mu_[geometry_.materials().materialIndex(celli)]
-       *mag(geometry_.mesh().faceAreas()[facei])
+       *mag(geometry_.S(solid_)[facei])
        /(geometry_.hOwn()[facei] + geometry_.hNei()[facei]);
 }
 
@@ -304,7 +312,7 @@ Foam::scalar Foam::stressFlux::extraNormal(const label facei) const
 
     return
         (mu_[materiali] + lambda_[materiali])
-       *mag(geometry_.mesh().faceAreas()[facei])
+       *mag(geometry_.S(solid_)[facei])
        /(geometry_.hOwn()[facei] + geometry_.hNei()[facei]);
 }
 
@@ -324,7 +332,7 @@ Foam::scalar Foam::stressFlux::sideDiffusion
         0.5
        *(
             mu_[geometry_.materials().materialIndex(celli)]
-           *mag(mesh.faceAreas()[facei])/h
+           *mag(geometry_.S(solid_)[facei])/h
           + stiffness_.across(facei, owner)
         );
 }
@@ -346,7 +354,7 @@ Foam::scalar Foam::stressFlux::sideExtraNormal
         0.5
        *(
             (mu_[materiali] + lambda_[materiali])
-           *mag(mesh.faceAreas()[facei])/h
+           *mag(geometry_.S(solid_)[facei])/h
           + stiffness_.extraNormal(facei, owner)
         );
 }

@@ -48,7 +48,7 @@ Foam::tensor Foam::stressFlux::skewAdjoint
 {
     tensor q(geometry_.skew()[facei]*R);
 
-    if (geometry_.warped())
+    if (geometry_.warped(solid_))
     {
         const tensor jump(ownStress - neiStress);
         const tensor WT(geometry_.warp()[facei].T());
@@ -66,7 +66,7 @@ void Foam::stressFlux::setAdjoint()
     const labelUList& own = mesh.faceOwner();
     const labelUList& nei = mesh.faceNeighbour();
     const scalarField& w = geometry_.w();
-    const bool skewed = geometry_.skewed();
+    const bool skewed = geometry_.skewed(solid_);
     const bool linked = links_.active();
 
     // The gradients are no longer needed: their storage takes Q
@@ -168,7 +168,7 @@ void Foam::stressFlux::addTwoStageForces(vectorField& cellForce)
     const fvMesh& mesh = geometry_.mesh();
     const labelUList& own = mesh.faceOwner();
     const labelUList& nei = mesh.faceNeighbour();
-    const vectorField& S = mesh.faceAreas();
+    const vectorField& S = geometry_.S(solid_);
     const scalarField& w = geometry_.w();
 
     for (const label facei : zone_.internal)

@@ -76,6 +76,13 @@ void Foam::picardSystem::start(const unifiedFields& fields)
 }
 
 
+void Foam::picardSystem::updateGeometry()
+{
+    op_.updateMass();
+    sweep_.updateGeometry();
+}
+
+
 void Foam::picardSystem::update(const surfaceScalarField& phi)
 {
     sweep_.update();

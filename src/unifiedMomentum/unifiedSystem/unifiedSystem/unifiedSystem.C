@@ -73,6 +73,12 @@ void Foam::unifiedSystem::startFromDisk()
     scheme_.setHaveOldOld(start.isRestart());
     start.setFaces();
 
+    if (motion_)
+    {
+        motion_->start(flux_, fields_);
+        system_.updateGeometry();
+    }
+
     if (!start.isRestart())
     {
         validity_.checkStart(fields_.U());
@@ -99,9 +105,23 @@ void Foam::unifiedSystem::startPatches()
 }
 
 
+void Foam::unifiedSystem::moveMesh(const unifiedVector& z)
+{
+    motion_->follow(z, fields_, system_.known());
+    system_.updateGeometry();
+    meshFollows_ = true;
+}
+
+
 void Foam::unifiedSystem::takeUnknowns()
 {
     fields_.fromUnknowns(flux_.geometry(), system_.z());
+
+    if (motion_ && motion_->implicit() && !meshFollows_)
+    {
+        moveMesh(system_.z());
+    }
+
     derived_.setFlux(system_.z());
     patches_.correct();
 }
@@ -109,7 +129,15 @@ void Foam::unifiedSystem::takeUnknowns()
 
 void Foam::unifiedSystem::freeze()
 {
-    flux_.setConvection(fields_.phi(), fields_.U());
+    if (motion_)
+    {
+        flux_.setConvection(motion_->relative(fields_.phi()), fields_.U());
+    }
+    else
+    {
+        flux_.setConvection(fields_.phi(), fields_.U());
+    }
+
     forces_.set
     (
         fields_,
@@ -117,6 +145,12 @@ void Foam::unifiedSystem::freeze()
         system_.known().force,
         system_.source()
     );
+
+    if (motion_)
+    {
+        motion_->addMassDefect(system_.source());
+    }
+
     system_.update(fields_.phi());
     system_.updateResidual();
 }
@@ -126,6 +160,11 @@ void Foam::unifiedSystem::extrapolate()
 {
     unifiedVector z(system_.z());
     scheme_.extrapolate(fields_, flux_.geometry(), system_.z(), z);
+
+    if (motion_)
+    {
+        moveMesh(z);
+    }
 
     // Conditions that depend on the flow take the extrapolated one
     scheme_.extrapolateFlux(fields_.phi());
@@ -151,13 +190,20 @@ Foam::unifiedSystem::unifiedSystem(fvMesh& mesh)
     regIOobject(IOobject(typeName, mesh.time().timeName(), mesh)),
 
     mesh_(checkedMesh(mesh)),
+    motion_(meshMotion::New(mesh)),
+    meshFollows_(false),
     materials_(mesh),
     fields_(mesh, materials_),
     viscosity_(),
     stress_(),
     forces_(mesh),
-    flux_(materials_, fields_.U(), fields_.p()),
-    controls_(mesh),
+    flux_(materials_, fields_.U(), fields_.p(), motion_.valid()),
+    controls_
+    (
+        mesh,
+        motion_ && motion_->implicit()
+      ? meshMotion::defaultOuterCorrectors : 1
+    ),
     system_(flux_, controls_),
     time_(fields_, flux_.geometry()),
     scheme_(mesh),
@@ -232,6 +278,10 @@ void Foam::unifiedSystem::predict()
     controls_.read();
     scheme_.newStep();
     flux_.setBetaDt(scheme_.betaDt());
+    if (motion_)
+    {
+        motion_->newStep(scheme_.c(), scheme_.c00(), scheme_.dt());
+    }
     scheme_.setKnown(fields_, flux_.geometry(), system_.known());
     system_.start(fields_);
 
@@ -241,6 +291,10 @@ void Foam::unifiedSystem::predict()
     }
     else
     {
+        if (motion_)
+        {
+            moveMesh(system_.z());
+        }
         startPatches();
         freeze();
     }
@@ -278,6 +332,7 @@ bool Foam::unifiedSystem::picard()
 void Foam::unifiedSystem::solve()
 {
     system_.solve();
+    meshFollows_ = false;
 }
 
 
@@ -292,6 +347,14 @@ void Foam::unifiedSystem::updateDisplacement()
     derived_.setDisplacement(z, known.D);
     derived_.setContinuityError(z, known.volumeError);
     derived_.setStress(z, known.D);
+    if (motion_)
+    {
+        motion_->followSolid
+        (
+            fields_.D(),
+            flux_.betaDt()*flux_.stress(true).grad()
+        );
+    }
 
     validity_.checkStep
     (

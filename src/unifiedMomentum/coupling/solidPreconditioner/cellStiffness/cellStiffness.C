@@ -35,7 +35,7 @@ Foam::cellStiffness::velocity Foam::cellStiffness::beyond
     const bool owner = mesh.faceOwner()[facei] == celli;
     const label i = geometry.unknownIndex()[facei];
 
-    const vector S((owner ? 1 : -1)*mesh.faceAreas()[facei]);
+    const vector S((owner ? 1 : -1)*geometry.S(true)[facei]);
     const vector& dx =
         owner ? geometry.dOwn()[facei] : geometry.dNei()[facei];
     const vector& dxOther =
@@ -43,7 +43,7 @@ Foam::cellStiffness::velocity Foam::cellStiffness::beyond
 
     velocity v{-1, -1, tensor::I, dx, S/geometry.V()[celli]};
 
-    const tensor along(tensor::I - tensor(sqr(geometry.n()[facei])));
+    const tensor along(tensor::I - tensor(sqr(geometry.n(true)[facei])));
 
     switch (geometry.kind(facei))
     {
@@ -150,7 +150,7 @@ void Foam::cellStiffness::addFace(const label celli, const label facei)
     velocities_.append(beyond(celli, facei));
 
     velocities_[0].g +=
-        (owner ? 1 : -1)*(1 - w)/V_*mesh.faceAreas()[facei];
+        (owner ? 1 : -1)*(1 - w)/V_*nodes_.geometry().S(true)[facei];
 }
 
 
@@ -263,7 +263,7 @@ Foam::cellStiffness::set(const label celli)
         }
     }
 
-    if (geometry.skewed())
+    if (geometry.skewed(true))
     {
         softenVolume(celli);
     }

@@ -130,7 +130,7 @@ Foam::operatorSmoother::operatorSmoother
 
 void Foam::operatorSmoother::update()
 {
-    if (op_.geometry().skewed())
+    if (op_.geometry().skewed(true))
     {
         setDiagonal();
         setLargest();

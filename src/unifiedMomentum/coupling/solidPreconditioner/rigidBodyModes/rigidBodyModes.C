@@ -49,8 +49,8 @@ Eigen::MatrixXd Foam::rigidBodyModes::modes() const
 
     for (const label celli : geometry.cellsAndFaces(true).cells)
     {
-        points[nodes_.ofCell(celli)] = mesh.cellCentres()[celli];
-        centre += geometry.V()[celli]*mesh.cellCentres()[celli];
+        points[nodes_.ofCell(celli)] = geometry.cellCentres(true)[celli];
+        centre += geometry.V()[celli]*geometry.cellCentres(true)[celli];
         volume += geometry.V()[celli];
     }
     forAll(geometry.unknownFaces(), i)
@@ -58,7 +58,7 @@ Eigen::MatrixXd Foam::rigidBodyModes::modes() const
         if (nodes_.ofFace(i) >= 0)
         {
             points[nodes_.ofFace(i)] =
-                mesh.faceCentres()[geometry.unknownFaces()[i]];
+                geometry.faceCentres(true)[geometry.unknownFaces()[i]];
         }
     }
     centre /= max(volume, VSMALL);
@@ -121,7 +121,7 @@ Foam::labelList Foam::rigidBodyModes::aggregates(const label nPasses) const
             ({
                 nodes_.ofCell(own),
                 nodes_.ofCell(nei),
-                mag(mesh.faceAreas()[facei]),
+                mag(geometry.S(true)[facei]),
                 (geometry.hOwn()[facei] + geometry.hNei()[facei])
                /(
                     geometry.hOwn()[facei]/materials[own].shear()
@@ -133,7 +133,7 @@ Foam::labelList Foam::rigidBodyModes::aggregates(const label nPasses) const
 
     const vectorField points
     (
-        mesh.cellCentres(),
+        geometry.cellCentres(true),
         geometry.cellsAndFaces(true).cells
     );
     labelList result(aggregation::pairwise(points, couplings, nPasses));
@@ -227,7 +227,11 @@ void Foam::rigidBodyModes::setError()
       : coarse_().error();
 
     // Where the matrix is not that of the operator by construction
-    if (nodes_.geometry().skewed() || returnReduce(error_, maxOp<scalar>()) > 1)
+    if
+    (
+        nodes_.geometry().skewed(true)
+     || returnReduce(error_, maxOp<scalar>()) > 1
+    )
     {
         error_ = GREAT;
         return;
