@@ -108,7 +108,12 @@ void Foam::solidSolver::conjugateGradients
         if (!(dy > 0))
         {
             // Not an elastic solid with inertia: a source of fvOptions
-            // that makes velocities grow. Left to the method outside
+            // that makes velocities grow; or large compression, beyond which
+            // it buckles. Left to the method outside
+            if (nIterations == 0)
+            {
+                x_ = d_;
+            }
             break;
         }
         const scalar alpha = rs/dy;
@@ -290,7 +295,9 @@ Foam::label Foam::solidSolver::solve
 
         // Where it is one by construction: the matrix is that of orthogonal
         // meshes. Elsewhere some residual may just be an easy one
-        exact_ = nIterations == 1 && !geometry.skewed();
+        exact_ =
+            nIterations == 1 && !geometry.skewed()
+         && !op_.flux().strain().active();
 
         if (debug)
         {

@@ -18,7 +18,7 @@ License
     along with umfsiFoam.  If not, see <http://www.gnu.org/licenses/>.
 
 Class
-    Foam::materials::linearElastic
+    Foam::linearElastic
 
 
 \*---------------------------------------------------------------------------*/
@@ -29,16 +29,13 @@ Class
 
 namespace Foam
 {
-namespace materials
-{
     defineTypeNameAndDebug(hyperelastic, 0);
-}
 }
 
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::materials::hyperelastic::hyperelastic
+Foam::hyperelastic::hyperelastic
 (
     const word& name,
     const dictionary& dict,
@@ -78,7 +75,7 @@ Foam::materials::hyperelastic::hyperelastic
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::symmTensor Foam::materials::hyperelastic::stress
+Foam::symmTensor Foam::hyperelastic::stress
 (
     const tensor& grad
 ) const

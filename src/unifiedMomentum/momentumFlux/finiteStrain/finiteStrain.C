@@ -48,12 +48,12 @@ Foam::finiteStrain::finiteStrain
 
     forAll(all, materiali)
     {
-        if (solid && isA<materials::hyperelastic>(all[materiali]))
+        if (solid && isA<hyperelastic>(all[materiali]))
         {
             laws_.set
             (
                 materiali,
-                &refCast<const materials::hyperelastic>(all[materiali])
+                &refCast<const hyperelastic>(all[materiali])
             );
             active_ = true;
         }

@@ -53,9 +53,9 @@ public:
         }
     {}
 
-    const materials::hyperelastic& law() const
+    const hyperelastic& law() const
     {
-        return refCast<const materials::hyperelastic>
+        return refCast<const hyperelastic>
         (
             geometry().materials()[0]
         );

@@ -35,7 +35,7 @@ static const scalar mu = 0.7;
 static const scalar betaDt = 0.3;
 
 //- Water and steel, E = 2.5, and brass if wanted
-static string entries(const string& stiffness, const bool brass = false)
+static string materials(const string& stiffness, const bool brass = false)
 {
     const string more
     (
@@ -161,7 +161,7 @@ static void testClosedForm(const Time& runTime, const label nD)
             [](const point& x) { return word(x.x() < 0 ? "fluid" : "solid"); }
         )
     );
-    writeMaterials(runTime, entries("compact"));
+    writeMaterials(runTime, materials("compact"));
     evaluation e(mesh(), fixedU, fixedP);
     e.randomise();
 
@@ -288,7 +288,7 @@ static void testConservation
 {
     const string name(Foam::name(nD) + "-D " + stiffness);
     const autoPtr<fvMesh> mesh(perturbedBox(runTime, nD));
-    writeMaterials(runTime, entries(stiffness));
+    writeMaterials(runTime, materials(stiffness));
     evaluation e
     (
         mesh(),
@@ -393,7 +393,7 @@ static void testSymmetryPlane
     ({
         scalarList({0, 1}), scalarList({0, 0.5, 1}), scalarList({0, 0.8})
     });
-    writeMaterials(runTime, entries(stiffness));
+    writeMaterials(runTime, materials(stiffness));
 
     // Forces and divergence of a smooth, mirrored state, by the cells' centre
     const auto compute = [&]
@@ -524,7 +524,7 @@ static void testUniformStress
         "uniform stress, " + Foam::name(nD) + "-D " + stiffness
     );
     const autoPtr<fvMesh> mesh(perturbedBox(runTime, nD));
-    writeMaterials(runTime, entries(stiffness));
+    writeMaterials(runTime, materials(stiffness));
     evaluation e(mesh(), fixedU, fixedP);
 
     const scalar G = 2.5/2.6;
@@ -621,7 +621,7 @@ static void testUniformStress
 static void testDivergence(const Time& runTime, const label nD)
 {
     const autoPtr<fvMesh> mesh(perturbedBox(runTime, nD));
-    writeMaterials(runTime, entries("compact"));
+    writeMaterials(runTime, materials("compact"));
     evaluation e(mesh(), fixedU, fixedP);
     const tensor grad(0.3, -0.7, 0, 0.5, 0.4, 0, 0, 0, nD == 2 ? 0 : 0.9);
 
@@ -915,7 +915,7 @@ static autoPtr<fvMesh> periodicMesh(const Time& runTime, const scalar start)
 //  a solid, and on an interface of solids
 static void testCyclic(const Time& runTime, const string& stiffness)
 {
-    writeMaterials(runTime, entries(stiffness, true));
+    writeMaterials(runTime, materials(stiffness, true));
     scalarField expected;
     scalarField scales;
     weightedSums(periodicMesh(runTime, 0)(), false, expected, scales);
@@ -942,7 +942,7 @@ static void testCyclic(const Time& runTime, const string& stiffness)
 static void writeCase(const word& name, const scalar start)
 {
     const autoPtr<Time> runTime(caseTime("run", name));
-    writeMaterials(runTime(), entries("linked", true));
+    writeMaterials(runTime(), materials("linked", true));
 
     autoPtr<fvMesh> mesh(periodicMesh(runTime(), start));
     mesh->setInstance(runTime->constant(), IOobject::AUTO_WRITE);

@@ -38,7 +38,14 @@ void Foam::cellStiffness::addFace(const label celli, const label facei)
         owner ? geometry.dNei()[facei] : geometry.dOwn()[facei];
 
     velocity v{-1, -1, tensor::I, dx, S/V_};
-    side s{velocities_.size(), 1, stress_.stiffness().of(facei, owner)};
+    side s
+    {
+        facei,
+        owner,
+        velocities_.size(),
+        1,
+        stress_.stiffness().of(facei, owner)
+    };
 
     const tensor along(tensor::I - tensor(sqr(geometry.n()[facei])));
 
@@ -110,8 +117,51 @@ void Foam::cellStiffness::addFace(const label celli, const label facei)
         }
     }
 
+    if (shape_)
+    {
+        v.x += displaced(celli, facei, owner);
+    }
+
     velocities_.append(v);
     sides_.append(s);
+}
+
+
+Foam::vector Foam::cellStiffness::displaced
+(
+    const label celli,
+    const label facei,
+    const bool owner
+) const
+{
+    const fluxGeometry& geometry = nodes_.geometry();
+    const fvMesh& mesh = geometry.mesh();
+    const vectorField& D = shape_->cells;
+
+    if (!stress_.finite().in(celli))
+    {
+        return Zero;
+    }
+
+    if (geometry.kind(facei) == fluxGeometry::SYMMETRY)
+    {
+        return geometry.tangential(facei, D[celli]) - D[celli];
+    }
+
+    if (geometry.kind(facei) != fluxGeometry::INSIDE)
+    {
+        return shape_->faces[facei] - D[celli];
+    }
+
+    if (!mesh.isInternalFace(facei))
+    {
+        return beyond_[facei - mesh.nInternalFaces()] - D[celli];
+    }
+
+    const label other =
+        owner ? mesh.faceNeighbour()[facei] : mesh.faceOwner()[facei];
+
+    return D[other] - D[celli];
 }
 
 
@@ -133,6 +183,19 @@ void Foam::cellStiffness::correctGradient()
     for (velocity& v : velocities_)
     {
         v.g = invB & v.g;
+    }
+
+    if (shape_ && stress_.finite().in(celli_))
+    {
+        for (side& s : sides_)
+        {
+            const faceStiffness& A = stress_.stiffness();
+            const vector e(A.axis(s.facei, s.owner) & B);
+
+            s.A =
+                A.across(s.facei, s.owner)*symmTensor::I
+              + A.along(s.facei, s.owner)*sqr(e);
+        }
     }
 }
 
@@ -164,11 +227,20 @@ void Foam::cellStiffness::setJumps()
 Foam::cellStiffness::cellStiffness
 (
     const solidNodes& nodes,
-    const stressFlux& stress
+    const stressFlux& stress,
+    const finiteStrain::shape* shape
 )
 :
     nodes_(nodes),
     stress_(stress),
+    shape_(shape),
+    beyond_
+    (
+        shape
+      ? nodes.geometry().neighbourValues(shape->cells)
+      : tmp<vectorField>(new vectorField())
+    ),
+    celli_(-1),
     V_(0),
     mu_(0),
     lambda_(0)
@@ -183,6 +255,7 @@ Foam::cellStiffness::set(const label celli)
     const fluxGeometry& geometry = nodes_.geometry();
     const material& law = geometry.materials()[celli];
 
+    celli_ = celli;
     V_ = geometry.V()[celli];
     mu_ = law.shear();
     lambda_ = law.lambda();

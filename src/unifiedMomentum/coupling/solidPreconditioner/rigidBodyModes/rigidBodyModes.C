@@ -64,6 +64,23 @@ Eigen::MatrixXd Foam::rigidBodyModes::modes() const
     centre /= max(volume, VSMALL);
 
     points -= centre;
+
+    for (const label celli : geometry.cellsAndFaces(true).cells)
+    {
+        if (shape_.cells.size())
+        {
+            points[nodes_.ofCell(celli)] += shape_.cells[celli];
+        }
+    }
+    forAll(geometry.unknownFaces(), i)
+    {
+        if (shape_.faces.size() && nodes_.ofFace(i) >= 0)
+        {
+            points[nodes_.ofFace(i)] +=
+                shape_.faces[geometry.unknownFaces()[i]];
+        }
+    }
+
     const scalar length = points.empty() ? 1 : sqrt(average(magSqr(points)));
     points /= max(length, VSMALL);
 
@@ -199,6 +216,51 @@ Foam::label Foam::rigidBodyModes::nCoarsePasses() const
 }
 
 
+bool Foam::rigidBodyModes::reshape()
+{
+    const fluxGeometry& geometry = nodes_.geometry();
+    const finiteStrain::shape& shape = op_.flux().strain().startShape();
+    const Time& time = geometry.mesh().time();
+
+    if (shape.cells.empty() || time.timeIndex() == timeIndex_)
+    {
+        return false;
+    }
+
+    const bool afterWritten = written_;
+    timeIndex_ = time.timeIndex();
+    written_ = time.writeTime();
+
+    // Change of the way between the centres of neighbours over its length
+    scalar turned = 0;
+    if (shape_.cells.size())
+    {
+        for (const label facei : geometry.cellsAndFaces(true).internal)
+        {
+            const label own = geometry.mesh().faceOwner()[facei];
+            const label nei = geometry.mesh().faceNeighbour()[facei];
+            const vector change
+            (
+                (shape.cells[nei] - shape_.cells[nei])
+              - (shape.cells[own] - shape_.cells[own])
+            );
+            const vector d(geometry.dOwn()[facei] - geometry.dNei()[facei]);
+
+            turned = max(turned, magSqr(change)/magSqr(d));
+        }
+    }
+
+    if (!afterWritten && returnReduce(turned, maxOp<scalar>()) < sqr(0.1))
+    {
+        return false;
+    }
+
+    shape_ = shape;
+
+    return true;
+}
+
+
 void Foam::rigidBodyModes::setUp()
 {
     const label nCells = nodes_.geometry().mesh().nCells();
@@ -207,7 +269,15 @@ void Foam::rigidBodyModes::setUp()
     // Not that of the operator: the same at any time step, to the last digit,
     // so that a restart goes on bitwise
     const stressFlux stress(op_.geometry(), true);
-    stiffness_.reset(new solidStiffness(nodes_, stress));
+    stiffness_.reset
+    (
+        new solidStiffness
+        (
+            nodes_,
+            stress,
+            shape_.cells.size() ? &shape_ : nullptr
+        )
+    );
 
     // Without inertia and fluid
     stiffness_().update
@@ -268,7 +338,9 @@ void Foam::rigidBodyModes::setUp()
 Foam::rigidBodyModes::rigidBodyModes(unifiedOperator& op, const faces& f)
 :
     solidPreconditioner(op, f),
-    nodes_(op.geometry())
+    nodes_(op.geometry()),
+    timeIndex_(-1),
+    written_(true)
 {}
 
 
@@ -276,7 +348,7 @@ Foam::rigidBodyModes::rigidBodyModes(unifiedOperator& op, const faces& f)
 
 void Foam::rigidBodyModes::update()
 {
-    if (!stiffness_.valid())
+    if (reshape() || !stiffness_.valid())
     {
         setUp();
     }

@@ -240,12 +240,13 @@ void Foam::solidStiffness::setValues(cellStiffness& cell)
 Foam::solidStiffness::solidStiffness
 (
     const solidNodes& nodes,
-    const stressFlux& stress
+    const stressFlux& stress,
+    const finiteStrain::shape* shape
 )
 :
     nodes_(nodes)
 {
-    cellStiffness cell(nodes, stress);
+    cellStiffness cell(nodes, stress, shape);
 
     setPattern(cell);
     setValues(cell);
