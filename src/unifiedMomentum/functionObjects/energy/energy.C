@@ -61,7 +61,7 @@ Foam::functionObjects::energy::energy
 
 bool Foam::functionObjects::energy::write()
 {
-    const unifiedSystem::energies e(unifiedSystem::of(obr_, name()).energy());
+    const energies e(unifiedSystem::of(obr_, name()).energy());
 
     file()
         << time_.timeName() << tab << e.fluid << tab << e.solid << tab

@@ -19,29 +19,25 @@ License
 
 \*---------------------------------------------------------------------------*/
 
-#include "unifiedSystem.H"
+#include "blockResiduals.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+const Foam::wordList Foam::blockResiduals::names
+({
+    "fluidMomentum", "solidMomentum", "interfaceTraction", "continuity"
+});
+
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::label Foam::unifiedSystem::faceBlock(const label i) const
-{
-    const label facei = flux_.geometry().unknownFaces()[i];
-
-    return
-        flux_.geometry().kind(facei) == fluxGeometry::INTERFACE ? TRACTION
-      : materials_.solid(mesh_.faceOwner()[facei]) ? SOLID
-      : FLUID;
-}
-
-
-Foam::unifiedSystem::blockValues Foam::unifiedSystem::norms
+Foam::blockResiduals::blockValues Foam::blockResiduals::norms
 (
     const unifiedVector& v,
     const bool residual
 ) const
 {
-    const fluxGeometry& geometry = flux_.geometry();
-    const Vector<label>& solved = mesh_.solutionD();
+    const Vector<label>& solved = geometry_.mesh().solutionD();
 
     // Without a diagonal (slip of an inviscid fluid) nothing may be left over
     const auto weighted = [residual](const scalar value, const scalar diag)
@@ -58,7 +54,7 @@ Foam::unifiedSystem::blockValues Foam::unifiedSystem::norms
     {
         scalar& s = sum[solid ? SOLID : FLUID];
 
-        for (const label celli : geometry.cellsAndFaces(solid).cells)
+        for (const label celli : geometry_.cellsAndFaces(solid).cells)
         {
             for (direction k = 0; k < vector::nComponents; ++k)
             {
@@ -70,7 +66,7 @@ Foam::unifiedSystem::blockValues Foam::unifiedSystem::norms
         }
     }
 
-    for (const label celli : geometry.cellsAndFaces(false).cells)
+    for (const label celli : geometry_.cellsAndFaces(false).cells)
     {
         sum[CONTINUITY] +=
             weighted(v.p[celli], sweep_.pressureDiag(celli));
@@ -85,7 +81,7 @@ Foam::unifiedSystem::blockValues Foam::unifiedSystem::norms
         {
             if (solved[k] > 0)
             {
-                s += geometry.unknownWeight()[i]*weighted(v.Uf[i][k], a[k]);
+                s += geometry_.unknownWeight()[i]*weighted(v.Uf[i][k], a[k]);
             }
         }
     }
@@ -94,12 +90,11 @@ Foam::unifiedSystem::blockValues Foam::unifiedSystem::norms
 }
 
 
-Foam::scalar Foam::unifiedSystem::pressureNorm(const scalarField& p) const
+Foam::scalar Foam::blockResiduals::pressureNorm(const scalarField& p) const
 {
-    const fluxGeometry& geometry = flux_.geometry();
     scalar sum = 0;
 
-    for (const label celli : geometry.cellsAndFaces(false).cells)
+    for (const label celli : geometry_.cellsAndFaces(false).cells)
     {
         sum += sqr(p[celli]*faceArea_[celli])/cmptMax(sweep_.diag()[celli]);
     }
@@ -108,8 +103,9 @@ Foam::scalar Foam::unifiedSystem::pressureNorm(const scalarField& p) const
 }
 
 
-void Foam::unifiedSystem::relativeResiduals
+void Foam::blockResiduals::compute
 (
+    const unifiedVector& z0,
     const unifiedVector& z,
     const unifiedVector& r,
     blockValues& relative,
@@ -117,7 +113,7 @@ void Foam::unifiedSystem::relativeResiduals
 ) const
 {
     unifiedVector dz(z);
-    dz.add(-1, zOld_);
+    dz.add(-1, z0);
 
     const blockValues parts[] =
     {
@@ -190,10 +186,86 @@ void Foam::unifiedSystem::relativeResiduals
 }
 
 
-void Foam::unifiedSystem::setBlockWeights()
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::blockResiduals::blockResiduals
+(
+    const sweep& s,
+    const fluxGeometry& geometry
+)
+:
+    sweep_(s),
+    geometry_(geometry),
+    faceArea_(pow(geometry.V(), 2.0/3.0)),
+    elastic_(nBlocks, 0.0),
+    relative_(nBlocks, 0.0),
+    weight_(nBlocks, 1.0)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::label Foam::blockResiduals::faceBlock(const label i) const
+{
+    const label facei = geometry_.unknownFaces()[i];
+
+    return
+        geometry_.kind(facei) == fluxGeometry::INTERFACE ? TRACTION
+      : geometry_.materials().solid(geometry_.mesh().faceOwner()[facei]) ? SOLID
+      : FLUID;
+}
+
+
+void Foam::blockResiduals::setElastic
+(
+    const momentumFlux::displacementVelocity& star
+)
+{
+    // Displacement as a velocity, D/(beta dt)
+    unifiedVector d(star.cells.size(), geometry_.unknownFaces().size());
+    d.U = star.cells;
+    forAll(d.Uf, i)
+    {
+        d.Uf[i] = star.faces[geometry_.unknownFaces()[i]];
+    }
+    elastic_ = norms(d, false);
+}
+
+
+Foam::scalarList Foam::blockResiduals::of
+(
+    const unifiedVector& z0,
+    const unifiedVector& z,
+    const unifiedVector& r
+) const
+{
+    blockValues relative, scale;
+    compute(z0, z, r, relative, scale);
+
+    return relative;
+}
+
+
+void Foam::blockResiduals::update
+(
+    const unifiedVector& z0,
+    const unifiedVector& z,
+    const unifiedVector& r
+)
+{
+    relative_ = of(z0, z, r);
+}
+
+
+void Foam::blockResiduals::weigh
+(
+    const unifiedVector& z0,
+    const unifiedVector& z,
+    const unifiedVector& r
+)
 {
     blockValues scale;
-    relativeResiduals(z_, r_, relative_, scale);
+    compute(z0, z, r, relative_, scale);
 
     // A block that has not moved yet (first step) gets no more than this
     // times the weight of the others
@@ -206,51 +278,18 @@ void Foam::unifiedSystem::setBlockWeights()
 }
 
 
-bool Foam::unifiedSystem::passes(const blockValues& relative) const
-{
-    forAll(relative, i)
-    {
-        if (!(relative[i] <= tolerance_[i]))
-        {
-            return false;
-        }
-    }
-
-    return true;
-}
-
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-void Foam::unifiedSystem::apply(const unifiedVector& v, unifiedVector& y)
-{
-    op_.apply(v, y);
-}
-
-
-void Foam::unifiedSystem::precondition
-(
-    const unifiedVector& r,
-    unifiedVector& z
-)
-{
-    sweep_.apply(r, z);
-}
-
-
-Foam::scalar Foam::unifiedSystem::localDot
+Foam::scalar Foam::blockResiduals::localDot
 (
     const unifiedVector& a,
     const unifiedVector& b
 ) const
 {
-    const fluxGeometry& geometry = flux_.geometry();
     scalar sum = 0;
 
     for (const bool solid : {false, true})
     {
         scalar part = 0;
-        for (const label celli : geometry.cellsAndFaces(solid).cells)
+        for (const label celli : geometry_.cellsAndFaces(solid).cells)
         {
             const vector scaled(cmptDivide(b.U[celli], sweep_.diag()[celli]));
             part += a.U[celli] & scaled;
@@ -259,7 +298,7 @@ Foam::scalar Foam::unifiedSystem::localDot
     }
 
     scalar part = 0;
-    for (const label celli : geometry.cellsAndFaces(false).cells)
+    for (const label celli : geometry_.cellsAndFaces(false).cells)
     {
         const scalar diag = sweep_.pressureDiag(celli);
         if (diag > VSMALL)
@@ -276,30 +315,12 @@ Foam::scalar Foam::unifiedSystem::localDot
         {
             const vector scaled(cmptDivide(b.Uf[i], diag));
             sum +=
-                weight_[faceBlock(i)]*geometry.unknownWeight()[i]
+                weight_[faceBlock(i)]*geometry_.unknownWeight()[i]
                *(a.Uf[i] & scaled);
         }
     }
 
     return sum;
-}
-
-
-bool Foam::unifiedSystem::converged
-(
-    const unifiedVector& z,
-    const unifiedVector& r
-)
-{
-    blockValues relative, scale;
-    relativeResiduals(z, r, relative, scale);
-
-    if (flexibleGMRES::debug)
-    {
-        Info<< "    sweep residuals " << flatOutput(relative) << endl;
-    }
-
-    return passes(relative);
 }
 
 

@@ -19,7 +19,7 @@ License
 
 \*---------------------------------------------------------------------------*/
 
-#include "unifiedSystem.H"
+#include "stepFailure.H"
 #include "cellPlace.H"
 #include "ListOps.H"
 #include "OStringStream.H"
@@ -36,10 +36,12 @@ namespace Foam
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::string Foam::unifiedSystem::worstCell(const label block) const
+Foam::string Foam::stepFailure::worstCell
+(
+    const label block,
+    const unifiedVector& r
+) const
 {
-    const fluxGeometry& geometry = flux_.geometry();
-
     label worst = -1;
     scalar largest = -1;
 
@@ -55,22 +57,24 @@ Foam::string Foam::unifiedSystem::worstCell(const label block) const
         }
     };
 
-    if (block == CONTINUITY)
+    if (block == blockResiduals::CONTINUITY)
     {
-        for (const label celli : geometry.cellsAndFaces(false).cells)
+        for (const label celli : geometry_.cellsAndFaces(false).cells)
         {
             compare
             (
                 celli,
-                sqr(r_.p[celli])/max(sweep_.pressureDiag(celli), VSMALL)
+                sqr(r.p[celli])/max(sweep_.pressureDiag(celli), VSMALL)
             );
         }
     }
-    else if (block == FLUID || block == SOLID)
+    else if (block == blockResiduals::FLUID || block == blockResiduals::SOLID)
     {
-        for (const label celli : geometry.cellsAndFaces(block == SOLID).cells)
+        const bool solid = (block == blockResiduals::SOLID);
+
+        for (const label celli : geometry_.cellsAndFaces(solid).cells)
         {
-            const vector r2(cmptMultiply(r_.U[celli], r_.U[celli]));
+            const vector r2(cmptMultiply(r.U[celli], r.U[celli]));
             compare
             (
                 celli,
@@ -79,14 +83,14 @@ Foam::string Foam::unifiedSystem::worstCell(const label block) const
         }
     }
 
-    forAll(r_.Uf, i)
+    forAll(r.Uf, i)
     {
-        if (faceBlock(i) == block)
+        if (residuals_.faceBlock(i) == block)
         {
             compare
             (
-                mesh_.faceOwner()[geometry.unknownFaces()[i]],
-                magSqr(r_.Uf[i])/max(cmptMax(sweep_.faceDiag(i)), VSMALL)
+                mesh_.faceOwner()[geometry_.unknownFaces()[i]],
+                magSqr(r.Uf[i])/max(cmptMax(sweep_.faceDiag(i)), VSMALL)
             );
         }
     }
@@ -102,16 +106,40 @@ Foam::string Foam::unifiedSystem::worstCell(const label block) const
 }
 
 
-void Foam::unifiedSystem::checkFinite() const
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::stepFailure::stepFailure
+(
+    const fluxGeometry& geometry,
+    const sweep& s,
+    const picardControls& controls,
+    const blockResiduals& residuals
+)
+:
+    mesh_(geometry.mesh()),
+    geometry_(geometry),
+    sweep_(s),
+    controls_(controls),
+    residuals_(residuals),
+    nUnconverged_(0)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::stepFailure::checkFinite(const unifiedVector& r) const
 {
-    forAll(relative_, i)
+    const wordList& names = blockResiduals::names;
+    const scalarList& relative = residuals_.relative();
+
+    forAll(relative, i)
     {
-        if (!std::isfinite(relative_[i]))
+        if (!std::isfinite(relative[i]))
         {
-            const string where(worstCell(i));
+            const string where(worstCell(i, r));
 
             FatalErrorInFunction
-                << "Residual " << blockNames[i] << " is " << relative_[i]
+                << "Residual " << names[i] << " is " << relative[i]
                 << " at time " << mesh_.time().timeName() << nl
                 << "    First in " << where.c_str() << nl
                 << nothingWritten << nl
@@ -123,7 +151,7 @@ void Foam::unifiedSystem::checkFinite() const
 }
 
 
-void Foam::unifiedSystem::checkDiagonal() const
+void Foam::stepFailure::checkDiagonal() const
 {
     const momentumBlock& block = sweep_.fluidMomentum();
     const label celli = block.leastCell();
@@ -162,9 +190,16 @@ void Foam::unifiedSystem::checkDiagonal() const
 }
 
 
-void Foam::unifiedSystem::checkConverged()
+void Foam::stepFailure::checkConverged
+(
+    const unifiedVector& r,
+    const label nSweeps
+)
 {
-    if (passes(relative_))
+    const wordList& names = blockResiduals::names;
+    const scalarList& relative = residuals_.relative();
+
+    if (controls_.passes(relative))
     {
         nUnconverged_ = 0;
         return;
@@ -174,29 +209,29 @@ void Foam::unifiedSystem::checkConverged()
     OStringStream which;
     which
         << "Not converged at time " << mesh_.time().timeName()
-        << " in " << nSweeps_ << " sweeps:";
+        << " in " << nSweeps << " sweeps:";
 
-    forAll(relative_, i)
+    forAll(relative, i)
     {
-        if (relative_[i] > tolerance_[i])
+        if (relative[i] > controls_.tolerance()[i])
         {
             which
-                << ' ' << blockNames[i] << ' ' << relative_[i] << " > "
-                << tolerance_[i];
+                << ' ' << names[i] << ' ' << relative[i] << " > "
+                << controls_.tolerance()[i];
         }
     }
 
-    const label worst = findMax(relative_);
-    const bool lost = relative_[worst] > 1;
-    const bool tooMany = nUnconverged_ >= maxUnconverged_;
+    const label worst = findMax(relative);
+    const bool lost = relative[worst] > 1;
+    const bool tooMany = nUnconverged_ >= controls_.maxUnconverged();
 
-    if (!stopIfNotConverged_ && !lost && !tooMany)
+    if (!controls_.stopIfNotConverged() && !lost && !tooMany)
     {
         WarningInFunction << which.str().c_str() << endl;
         return;
     }
 
-    const string where(worstCell(worst));
+    const string where(worstCell(worst, r));
 
     FatalErrorInFunction << which.str().c_str() << nl;
 
@@ -214,7 +249,7 @@ void Foam::unifiedSystem::checkConverged()
     }
 
     FatalError
-        << "    Residual " << blockNames[worst] << " is largest in "
+        << "    Residual " << names[worst] << " is largest in "
         << where.c_str() << nl
         << nothingWritten << nl
         << "    Look at the last of them there. If the flow is as it should"
@@ -224,19 +259,20 @@ void Foam::unifiedSystem::checkConverged()
 }
 
 
-void Foam::unifiedSystem::failKrylov()
+void Foam::stepFailure::failKrylov(const unifiedVector& r) const
 {
-    blockValues scale;
-    relativeResiduals(z_, r_, relative_, scale);
-    checkFinite();
+    const wordList& names = blockResiduals::names;
+    const scalarList& relative = residuals_.relative();
 
-    const label worst = findMax(relative_);
-    const string where(worstCell(worst));
+    checkFinite(r);
+
+    const label worst = findMax(relative);
+    const string where(worstCell(worst, r));
 
     FatalErrorInFunction
         << "The sweep gives values that are no finite numbers, at time "
         << mesh_.time().timeName() << nl
-        << "    Residual " << blockNames[worst] << " is " << relative_[worst]
+        << "    Residual " << names[worst] << " is " << relative[worst]
         << ", largest in " << where.c_str() << nl
         << nothingWritten << nl
         << "    Look at the last of them there; try a smaller time step, other"

@@ -1,0 +1,219 @@
+/*---------------------------------------------------------------------------*\
+  umfsiFoam: fluid-structure interaction with one momentum equation
+-------------------------------------------------------------------------------
+License
+    This file is part of umfsiFoam.
+
+    umfsiFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by
+    the Free Software Foundation, either version 3 of the License, or
+    (at your option) any later version.
+
+    umfsiFoam is distributed in the hope that it will be useful, but WITHOUT
+    ANY WARRANTY; without even the implied warranty of MERCHANTABILITY or
+    FITNESS FOR A PARTICULAR PURPOSE.  See the GNU General Public License
+    for more details.
+
+    You should have received a copy of the GNU General Public License
+    along with umfsiFoam.  If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "picardControls.H"
+#include "solidPreconditioner.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+    //- Fail on an entry that means nothing
+    static void checkEntries(const dictionary& dict, const wordList& known)
+    {
+        for (const entry& e : dict)
+        {
+            if (!known.found(e.keyword()))
+            {
+                FatalIOErrorInFunction(dict)
+                    << "Unknown entry '" << e.keyword() << "'" << nl
+                    << "    Valid choices: " << flatOutput(known)
+                    << exit(FatalIOError);
+            }
+        }
+    }
+
+
+    //- Read a whole number, fail if it is too small
+    static label checkRange
+    (
+        const dictionary& dict,
+        const word& entry,
+        const label defaultValue,
+        const label smallest
+    )
+    {
+        const label value = dict.getOrDefault<label>(entry, defaultValue);
+
+        if (value < smallest)
+        {
+            FatalIOErrorInFunction(dict)
+                << "Entry '" << entry << "' is " << value << nl
+                << "    Valid choices: " << smallest << " and above"
+                << exit(FatalIOError);
+        }
+
+        return value;
+    }
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::picardControls::checkKrylov(const dictionary& krylov) const
+{
+    checkEntries
+    (
+        krylov,
+        {
+            "maxSweeps", "nVectors", "solidTolerance", "solidMaxIter",
+            solidPreconditioner::entryName
+        }
+    );
+    checkRange(krylov, "solidMaxIter", 10000, 0);
+
+    const scalar solidTolerance =
+        krylov.getOrDefault<scalar>("solidTolerance", 1e-4);
+    if (!(solidTolerance > 0 && solidTolerance < 1))
+    {
+        FatalIOErrorInFunction(krylov)
+            << "Entry 'solidTolerance' is " << solidTolerance << nl
+            << "    Valid choices: between 0 and 1"
+            << exit(FatalIOError);
+    }
+
+    const word preconditioner
+    (
+        krylov.getOrDefault<word>
+        (
+            solidPreconditioner::entryName,
+            solidPreconditioner::defaultName
+        )
+    );
+    if (!solidPreconditioner::names.found(preconditioner))
+    {
+        FatalIOErrorInFunction(krylov)
+            << "Entry '" << solidPreconditioner::entryName << "' is "
+            << preconditioner << nl
+            << "    Valid choices: " << flatOutput(solidPreconditioner::names)
+            << exit(FatalIOError);
+    }
+}
+
+
+void Foam::picardControls::readTolerances(const dictionary& control)
+{
+    const wordList& names = blockResiduals::names;
+
+    checkEntries(control, names);
+
+    forAll(tolerance_, i)
+    {
+        tolerance_[i] = control.getOrDefault<scalar>(names[i], 1e-4);
+
+        if (!(tolerance_[i] > 0 && tolerance_[i] < 1))
+        {
+            FatalIOErrorInFunction(control)
+                << "Entry '" << names[i] << "' is " << tolerance_[i]
+                << nl << "    Valid choices: between 0 and 1"
+                << exit(FatalIOError);
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::picardControls::picardControls(const fvMesh& mesh)
+:
+    mesh_(mesh),
+    tolerance_(blockResiduals::nBlocks, 0.0),
+    nOuterCorrectors_(1),
+    stopIfNotConverged_(false),
+    maxUnconverged_(20)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::picardControls::read()
+{
+    const dictionary& solution = mesh_.solutionDict();
+
+    if (!solution.isDict("solvers"))
+    {
+        FatalIOErrorInFunction(solution)
+            << "Entry 'solvers' is missing, or is not a dictionary" << nl
+            << "    Valid choices: a dictionary with p, U (fluids), D (solids)"
+            << exit(FatalIOError);
+    }
+
+    const dictionary& pimple = mesh_.solutionDict().subDict("PIMPLE");
+
+    checkEntries
+    (
+        pimple,
+        {
+            "momentumPredictor", "nOuterCorrectors", "nCorrectors",
+            "nNonOrthogonalCorrectors", "residualControl", "krylov",
+            "onNonConvergence", "maxUnconverged",
+            "pRefCell", "pRefPoint", "pRefValue"
+        }
+    );
+
+    for (const word entry : {"residualControl", "krylov"})
+    {
+        if (pimple.found(entry) && !pimple.isDict(entry))
+        {
+            FatalIOErrorInFunction(pimple)
+                << "Entry '" << entry << "' is not a dictionary" << nl
+                << "    Valid choices: " << entry << " { ... }"
+                << exit(FatalIOError);
+        }
+    }
+
+    nOuterCorrectors_ = checkRange(pimple, "nOuterCorrectors", 1, 1);
+    pimple.getOrDefault("momentumPredictor", true);
+    checkRange(pimple, "nCorrectors", 3, 1);
+    checkRange(pimple, "nNonOrthogonalCorrectors", 0, 0);
+
+    checkKrylov(pimple.subOrEmptyDict("krylov"));
+
+    const word action(pimple.getOrDefault<word>("onNonConvergence", "warn"));
+    if (action != "warn" && action != "stop")
+    {
+        FatalIOErrorInFunction(pimple)
+            << "Entry 'onNonConvergence' is " << action << nl
+            << "    Valid choices: warn stop"
+            << exit(FatalIOError);
+    }
+    stopIfNotConverged_ = (action == "stop");
+    maxUnconverged_ = checkRange(pimple, "maxUnconverged", 20, 1);
+
+    readTolerances(pimple.subOrEmptyDict("residualControl"));
+}
+
+
+bool Foam::picardControls::passes(const scalarList& relative) const
+{
+    forAll(relative, i)
+    {
+        if (!(relative[i] <= tolerance_[i]))
+        {
+            return false;
+        }
+    }
+
+    return true;
+}
+
+
+// ************************************************************************* //

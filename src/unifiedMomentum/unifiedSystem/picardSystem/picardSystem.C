@@ -1,0 +1,206 @@
+/*---------------------------------------------------------------------------*\
+  umfsiFoam: fluid-structure interaction with one momentum equation
+-------------------------------------------------------------------------------
+License
+    This file is part of umfsiFoam.
+
+    umfsiFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by
+    the Free Software Foundation, either version 3 of the License, or
+    (at your option) any later version.
+
+    umfsiFoam is distributed in the hope that it will be useful, but WITHOUT
+    ANY WARRANTY; without even the implied warranty of MERCHANTABILITY or
+    FITNESS FOR A PARTICULAR PURPOSE.  See the GNU General Public License
+    for more details.
+
+    You should have received a copy of the GNU General Public License
+    along with umfsiFoam.  If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "picardSystem.H"
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::picardSystem::picardSystem
+(
+    momentumFlux& flux,
+    const picardControls& controls
+)
+:
+    op_(flux),
+    sweep_(op_),
+    krylov_
+    (
+        flux.geometry().mesh().solutionDict().subDict("PIMPLE")
+       .subOrEmptyDict("krylov")
+    ),
+    known_(),
+    z_
+    (
+        flux.geometry().mesh().nCells(),
+        flux.geometry().unknownFaces().size()
+    ),
+    zOld_(z_),
+    r_(z_),
+    controls_(controls),
+    residuals_(sweep_, flux.geometry()),
+    failure_(flux.geometry(), sweep_, controls, residuals_),
+    nSweeps_(0)
+{
+    const label nCells = z_.U.size();
+
+    known_.U.setSize(nCells, Zero);
+    known_.D.cells.setSize(nCells, Zero);
+    known_.D.faces.setSize(flux.geometry().mesh().nFaces(), Zero);
+    known_.volumeError.setSize(nCells, 0);
+    known_.force.setSize(nCells, Zero);
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::picardSystem::tryOut()
+{
+    sweep_.update();
+    sweep_.tryOut();
+}
+
+
+void Foam::picardSystem::start(const unifiedFields& fields)
+{
+    fields.toUnknowns(op_.geometry(), 1, zOld_);
+    z_ = zOld_;
+    nSweeps_ = 0;
+}
+
+
+void Foam::picardSystem::update(const surfaceScalarField& phi)
+{
+    sweep_.update();
+    failure_.checkDiagonal();
+    sweep_.enclosed().checkFlux(phi);
+    residuals_.setElastic(known_.D);
+}
+
+
+void Foam::picardSystem::updateResidual()
+{
+    op_.residual(z_, known_, r_);
+}
+
+
+void Foam::picardSystem::takeIfBetter(const unifiedVector& z)
+{
+    unifiedVector r(r_);
+    op_.residual(z, known_, r);
+
+    if
+    (
+        returnReduce(localDot(r, r), sumOp<scalar>())
+      < returnReduce(localDot(r_, r_), sumOp<scalar>())
+    )
+    {
+        z_ = z;
+        r_ = r;
+    }
+}
+
+
+bool Foam::picardSystem::passes()
+{
+    residuals_.update(zOld_, z_, r_);
+
+    return controls_.passes(residuals_.relative());
+}
+
+
+void Foam::picardSystem::solve()
+{
+    // The residual that the Krylov method updates drifts from the true one by
+    // round-off; where that matters, it is started again
+    for (label start = 0; start < 3; ++start)
+    {
+        residuals_.weigh(zOld_, z_, r_);
+        failure_.checkFinite(r_);
+
+        const flexibleGMRES::performance perf = krylov_.solve(*this, z_, r_);
+
+        nSweeps_ += perf.nSweeps;
+
+        updateResidual();
+        if (perf.broken)
+        {
+            residuals_.update(zOld_, z_, r_);
+            failure_.failKrylov(r_);
+        }
+        if (sweep_.enclosed().elastic())
+        {
+            // Volumes to round-off: their errors are levels of pressure
+            sweep_.enclosed().correct(r_.p, z_);
+            updateResidual();
+        }
+
+        sweep_.enclosed().setLevel(z_.p);
+
+        if (!perf.converged || converged(z_, r_))
+        {
+            break;
+        }
+    }
+}
+
+
+void Foam::picardSystem::checkStep()
+{
+    residuals_.update(zOld_, z_, r_);
+    failure_.checkFinite(r_);
+    failure_.checkConverged(r_, nSweeps_);
+}
+
+
+void Foam::picardSystem::apply(const unifiedVector& v, unifiedVector& y)
+{
+    op_.apply(v, y);
+}
+
+
+void Foam::picardSystem::precondition
+(
+    const unifiedVector& r,
+    unifiedVector& z
+)
+{
+    sweep_.apply(r, z);
+}
+
+
+Foam::scalar Foam::picardSystem::localDot
+(
+    const unifiedVector& a,
+    const unifiedVector& b
+) const
+{
+    return residuals_.localDot(a, b);
+}
+
+
+bool Foam::picardSystem::converged
+(
+    const unifiedVector& z,
+    const unifiedVector& r
+)
+{
+    const scalarList relative(residuals_.of(zOld_, z, r));
+
+    if (flexibleGMRES::debug)
+    {
+        Info<< "    sweep residuals " << flatOutput(relative) << endl;
+    }
+
+    return controls_.passes(relative);
+}
+
+
+// ************************************************************************* //
