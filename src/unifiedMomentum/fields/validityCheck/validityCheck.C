@@ -317,7 +317,7 @@ void Foam::validityCheck::checkStep
     {
         const scalar here = magSqr(gradD[celli]);
 
-        if (here > gradient2)
+        if (here > gradient2 && !materials[celli].largeStrain())
         {
             gradient2 = here;
             gradientCell = celli;
@@ -354,7 +354,13 @@ void Foam::validityCheck::checkStep
         cellPlace place;
         if (gradientCell >= 0)
         {
-            place = cellPlace(mesh, gradientCell, gradient);
+            const tensor G(scale*gradD[gradientCell]);
+            const scalar degrees = 180/constant::mathematical::pi;
+
+            OStringStream more;
+            more<< ": strain " << mag(symm(G)) << ", rotation "
+                << degrees*mag(skew(G))/sqrt(scalar(2)) << " degrees";
+            place = cellPlace(mesh, gradientCell, gradient, more.str());
         }
         place.reduce();
 
@@ -362,7 +368,8 @@ void Foam::validityCheck::checkStep
             << "At time " << mesh.time().timeName() << " the gradient of D"
             << " (strain, rotation) is " << largest.y() << ", above "
             << largestGradient << nl << "        " << place.text().c_str()
-            << nl << saidOnce << endl;
+            << nl << "    Solids of type linearElastic do not bear that, those"
+            << " of type StVenantKirchhoff do" << nl << saidOnce << endl;
     }
 
     displacement_ = max(displacement_, largest.x());

@@ -140,6 +140,7 @@ void Foam::unifiedSystem::extrapolate()
 
     // An extrapolation over a sudden change would start further off
     system_.takeIfBetter(z);
+    system_.takeRestIfBetter();
 }
 
 
@@ -157,7 +158,7 @@ Foam::unifiedSystem::unifiedSystem(fvMesh& mesh)
     stress_(),
     forces_(mesh),
     flux_(materials_, fields_.U(), fields_.p()),
-    controls_(mesh),
+    controls_(mesh, flux_.strain().active()),
     system_(flux_, controls_),
     time_(fields_, flux_.geometry()),
     scheme_(mesh),
@@ -310,7 +311,8 @@ void Foam::unifiedSystem::report() const
         time_.courantNumber(),
         picard_,
         system_.nSweeps(),
-        system_.relative()
+        system_.relative(),
+        system_.increment()
     );
 }
 
