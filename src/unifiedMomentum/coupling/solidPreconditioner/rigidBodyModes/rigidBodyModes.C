@@ -216,7 +216,7 @@ Foam::label Foam::rigidBodyModes::nCoarsePasses() const
 }
 
 
-bool Foam::rigidBodyModes::reshape()
+bool Foam::rigidBodyModes::takeShape()
 {
     const fluxGeometry& geometry = nodes_.geometry();
     const finiteStrain::shape& shape = op_.flux().strain().startShape();
@@ -348,7 +348,7 @@ Foam::rigidBodyModes::rigidBodyModes(unifiedOperator& op, const faces& f)
 
 void Foam::rigidBodyModes::update()
 {
-    if (reshape() || !stiffness_.valid())
+    if (takeShape() || !stiffness_.valid())
     {
         setUp();
     }
