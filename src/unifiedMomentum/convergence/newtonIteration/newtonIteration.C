@@ -32,6 +32,8 @@ Foam::newtonIteration::newtonIteration(momentumFlux& flux)
 :
     flux_(flux),
     z_(0, 0),
+    G_(),
+    change_(-1),
     increment_(-1),
     positive_(false),
     wasInsideOut_(false),
@@ -75,6 +77,7 @@ void Foam::newtonIteration::start
 
     flux_.strain().setShape(D, faces);
 
+    change_ = -1;
     increment_ = -1;
     positive_ = false;
 }
@@ -88,6 +91,7 @@ void Foam::newtonIteration::prepare(const unifiedVector& z)
     }
 
     z_ = z;
+    G_ = flux_.strain().G();
     wasInsideOut_ = insideOut();
     nHalved_ = 0;
     flux_.strain().setPositive(positive_);
@@ -123,6 +127,7 @@ void Foam::newtonIteration::finish
 
     scalar change = 0;
     scalar scale = VSMALL;
+    scalar turned = 0;
 
     for (const label celli : flux_.geometry().cellsAndFaces(true).cells)
     {
@@ -132,20 +137,22 @@ void Foam::newtonIteration::finish
             scale = max(scale, mag(z.U[celli] - z0.U[celli]));
             scale = max(scale, 1e-2*mag(z.U[celli]));
             scale = max(scale, 1e-4*mag(star.cells[celli]));
+            turned = max(turned, mag(flux_.strain().G()[celli] - G_[celli]));
         }
     }
 
-    const scalar before = increment_;
-    increment_ =
+    const scalar before = change_;
+    change_ =
         returnReduce(change, maxOp<scalar>())
        /returnReduce(scale, maxOp<scalar>());
+    increment_ = min(change_, 1e2*returnReduce(turned, maxOp<scalar>()));
 
     // Exact again near the solution, where it converges quadratically
-    if (before > 0 && increment_ > before)
+    if (before > 0 && change_ > before && increment_ > 1e-2)
     {
         positive_ = true;
     }
-    else if (increment_ < 0.1)
+    else if (change_ < 0.1)
     {
         positive_ = false;
     }

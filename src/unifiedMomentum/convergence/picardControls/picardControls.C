@@ -197,6 +197,14 @@ void Foam::picardControls::read()
 
     nOuterCorrectors_ =
         checkRange(pimple, "nOuterCorrectors", largeStrain_ ? 20 : 1, 1);
+    if (largeStrain_ && nOuterCorrectors_ < 2)
+    {
+        FatalIOErrorInFunction(pimple)
+            << "Entry 'nOuterCorrectors' is " << nOuterCorrectors_
+            << ", but solids of large strain need Newton's iterations" << nl
+            << "    Valid choices: 2 and above, or no entry (20)"
+            << exit(FatalIOError);
+    }
     pimple.getOrDefault("momentumPredictor", true);
     checkRange(pimple, "nCorrectors", 3, 1);
     checkRange(pimple, "nNonOrthogonalCorrectors", 0, 0);

@@ -36,11 +36,11 @@ namespace materials
     addToRunTimeSelectionTable(material, StVenantKirchhoff, dictionary);
 
     //- Strain of Green and Lagrange
-    static inline symmTensor greenStrain(const tensor& FT)
+    static inline symmTensor greenStrain(const tensor& G)
     {
-        const tensor F(FT.T());
+        const tensor GT(G.T());
 
-        return 0.5*(symm(FT & F) - symmTensor::I);
+        return symm(G + 0.5*(G & GT));
     }
 }
 }
@@ -64,16 +64,16 @@ Foam::materials::StVenantKirchhoff::StVenantKirchhoff
 void Foam::materials::StVenantKirchhoff::piola
 (
     const labelUList& cells,
-    const tensorField& FT,
+    const tensorField& G,
     tensorField& PT
 ) const
 {
     for (const label celli : cells)
     {
-        const symmTensor E(greenStrain(FT[celli]));
+        const symmTensor E(greenStrain(G[celli]));
         const symmTensor S(lambda_*tr(E)*symmTensor::I + 2*mu_*E);
 
-        PT[celli] = S & FT[celli];
+        PT[celli] = S + (S & G[celli]);
     }
 }
 
@@ -81,32 +81,32 @@ void Foam::materials::StVenantKirchhoff::piola
 void Foam::materials::StVenantKirchhoff::tangent
 (
     const labelUList& cells,
-    const tensorField& FT,
+    const tensorField& G,
     const tensorField& dG,
     tensorField& dPT
 ) const
 {
     for (const label celli : cells)
     {
-        const symmTensor E(greenStrain(FT[celli]));
+        const symmTensor E(greenStrain(G[celli]));
         const symmTensor S(lambda_*tr(E)*symmTensor::I + 2*mu_*E);
 
-        const tensor F(FT[celli].T());
-        const symmTensor dE(symm(dG[celli] & F));
+        const tensor GT(G[celli].T());
+        const symmTensor dE(symm(dG[celli] + (dG[celli] & GT)));
         const symmTensor dS(lambda_*tr(dE)*symmTensor::I + 2*mu_*dE);
 
         // S of the state times dG resists or helps rotations
-        dPT[celli] = (dS & FT[celli]) + (S & dG[celli]);
+        dPT[celli] = dS + (dS & G[celli]) + (S & dG[celli]);
     }
 }
 
 
 Foam::scalar Foam::materials::StVenantKirchhoff::energy
 (
-    const tensor& FT
+    const tensor& G
 ) const
 {
-    const symmTensor E(greenStrain(FT));
+    const symmTensor E(greenStrain(G));
 
     return 0.5*lambda_*sqr(tr(E)) + mu_*(E && E);
 }

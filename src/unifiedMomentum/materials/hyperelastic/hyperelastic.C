@@ -81,12 +81,11 @@ Foam::symmTensor Foam::hyperelastic::stress
 ) const
 {
     const labelList cell(1, 0);
-    const tensorField FT(1, tensor(tensor::I + grad));
     tensorField PT(1, Zero);
 
-    piola(cell, FT, PT);
+    piola(cell, tensorField(1, grad), PT);
 
-    const tensor F(FT[0].T());
+    const tensor F(tensor::I + grad.T());
 
     return symm(F & PT[0])/max(det(F), SMALL);
 }

@@ -34,6 +34,12 @@ namespace materials
 {
     defineTypeNameAndDebug(neoHookean, 0);
     addToRunTimeSelectionTable(material, neoHookean, dictionary);
+
+    //- det(I + G) - 1
+    static inline scalar volumeChange(const tensor& G)
+    {
+        return tr(G) + invariantII(G) + det(G);
+    }
 }
 }
 
@@ -56,23 +62,28 @@ Foam::materials::neoHookean::neoHookean
 void Foam::materials::neoHookean::piola
 (
     const labelUList& cells,
-    const tensorField& FT,
+    const tensorField& G,
     tensorField& PT
 ) const
 {
     for (const label celli : cells)
     {
-        const scalar J = det(FT[celli]);
+        const scalar dJ = volumeChange(G[celli]);
 
-        if (!(J > 0))
+        if (!(dJ > -1))
         {
             PT[celli] = Zero;
             continue;
         }
 
-        const tensor invF(inv(FT[celli]).T());
+        const tensor& Gc = G[celli];
+        const tensor GT(Gc.T());
+        const tensor invF(inv(tensor::I + GT));
 
-        PT[celli] = mu_*FT[celli] + (lambda_*log(J) - mu_)*invF;
+        // F^T - F^-1 = F^-1 . (F.F^T - I)
+        const tensor b(Gc + GT + (GT & Gc));
+
+        PT[celli] = mu_*(invF & b) + lambda_*std::log1p(dJ)*invF;
     }
 }
 
@@ -80,47 +91,47 @@ void Foam::materials::neoHookean::piola
 void Foam::materials::neoHookean::tangent
 (
     const labelUList& cells,
-    const tensorField& FT,
+    const tensorField& G,
     const tensorField& dG,
     tensorField& dPT
 ) const
 {
     for (const label celli : cells)
     {
-        const scalar J = det(FT[celli]);
+        const scalar dJ = volumeChange(G[celli]);
 
-        if (!(J > 0))
+        if (!(dJ > -1))
         {
             dPT[celli] = Zero;
             continue;
         }
 
-        const tensor invF(inv(FT[celli]).T());
+        const tensor invF(inv(tensor::I + G[celli].T()));
         const tensor dF(dG[celli].T());
         const tensor X(invF & dF);
 
         dPT[celli] =
             mu_*dG[celli]
-          + (mu_ - lambda_*log(J))*(X & invF)
+          + (mu_ - lambda_*std::log1p(dJ))*(X & invF)
           + lambda_*tr(X)*invF;
     }
 }
 
 
-Foam::scalar Foam::materials::neoHookean::energy(const tensor& FT) const
+Foam::scalar Foam::materials::neoHookean::energy(const tensor& G) const
 {
-    const scalar J = det(FT);
+    const scalar dJ = volumeChange(G);
 
     // No limit of the energy, which grows without bound
-    if (!(J > 0))
+    if (!(dJ > -1))
     {
         return GREAT;
     }
 
-    const scalar logJ = log(J);
+    const scalar logJ = std::log1p(dJ);
 
     return
-        0.5*mu_*(magSqr(FT) - 3 - 2*logJ) + 0.5*lambda_*sqr(logJ);
+        0.5*mu_*(2*tr(G) + magSqr(G) - 2*logJ) + 0.5*lambda_*sqr(logJ);
 }
 
 

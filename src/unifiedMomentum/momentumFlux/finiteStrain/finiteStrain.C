@@ -77,8 +77,8 @@ Foam::finiteStrain::finiteStrain
         lawCells_[materiali].transfer(cells[materiali]);
     }
 
-    FT_.setSize(geometry.mesh().nCells(), tensor::I);
-    dFT_.setSize(geometry.mesh().nCells(), Zero);
+    G_.setSize(geometry.mesh().nCells(), Zero);
+    dG_.setSize(geometry.mesh().nCells(), Zero);
     ownJump_.setSize(geometry.mesh().nFaces(), Zero);
     neiJump_.setSize(geometry.mesh().nFaces(), Zero);
 }
@@ -95,8 +95,8 @@ void Foam::finiteStrain::setPositive(const bool positive)
         return;
     }
 
-    negative_.setSize(FT_.size(), Zero);
-    tensorField PT(FT_.size(), Zero);
+    negative_.setSize(G_.size(), Zero);
+    tensorField PT(G_.size(), Zero);
 
     forAll(laws_, materiali)
     {
@@ -105,11 +105,11 @@ void Foam::finiteStrain::setPositive(const bool positive)
             continue;
         }
 
-        laws_[materiali].piola(lawCells_[materiali], FT_, PT);
+        laws_[materiali].piola(lawCells_[materiali], G_, PT);
 
         for (const label celli : lawCells_[materiali])
         {
-            const tensor invFT(inv(FT_[celli]));
+            const tensor invFT(inv(tensor::I + G_[celli]));
 
             vector values;
             tensor vectors;
@@ -131,7 +131,7 @@ void Foam::finiteStrain::setGradients(const tensorField& grad)
     {
         for (const label celli : cells)
         {
-            dFT_[celli] = scale_*grad[celli];
+            dG_[celli] = scale_*grad[celli];
         }
     }
 
@@ -148,9 +148,9 @@ void Foam::finiteStrain::setGradients(const tensorField& grad)
     {
         for (const label celli : cells)
         {
-            FT_[celli] = tensor::I + dFT_[celli];
+            G_[celli] = dG_[celli];
 
-            const scalar J = det(FT_[celli]);
+            const scalar J = det(tensor::I + G_[celli]);
             if (!(J >= leastJ_))
             {
                 leastJ_ = J;
@@ -187,7 +187,7 @@ Foam::vector Foam::finiteStrain::jumpForce
         return F;
     }
 
-    const vector q(A.e & FT_[celli]);
+    const vector q(A.e + (A.e & G_[celli]));
 
     if (!tangent_)
     {
@@ -200,7 +200,7 @@ Foam::vector Foam::finiteStrain::jumpForce
         return F;
     }
 
-    const vector dq(A.e & dFT_[celli]);
+    const vector dq(A.e & dG_[celli]);
     const scalar along = A.aN*(state & q);
     const scalar dAlong = A.aN*((r & q) + (state & dq));
     const vector dF(A.aT*r + dAlong*q + along*dq);
@@ -223,17 +223,17 @@ void Foam::finiteStrain::stress(tensorField& stress) const
 
         if (!tangent_)
         {
-            laws_[materiali].piola(cells, FT_, stress);
+            laws_[materiali].piola(cells, G_, stress);
             continue;
         }
 
-        laws_[materiali].tangent(cells, FT_, dFT_, stress);
+        laws_[materiali].tangent(cells, G_, dG_, stress);
 
         if (negative_.size())
         {
             for (const label celli : cells)
             {
-                stress[celli] -= negative_[celli] & dFT_[celli];
+                stress[celli] -= negative_[celli] & dG_[celli];
             }
         }
     }
@@ -243,7 +243,7 @@ void Foam::finiteStrain::stress(tensorField& stress) const
 Foam::scalar Foam::finiteStrain::energy(const label celli) const
 {
     return
-        laws_[geometry_.materials().materialIndex(celli)].energy(FT_[celli]);
+        laws_[geometry_.materials().materialIndex(celli)].energy(G_[celli]);
 }
 
 

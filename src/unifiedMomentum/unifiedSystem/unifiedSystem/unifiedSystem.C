@@ -171,6 +171,12 @@ Foam::unifiedSystem::unifiedSystem(fvMesh& mesh)
     time_.check();
     scheme_.check();
     controls_.read();
+    if (flux_.strain().active())
+    {
+        Info<< "Solids of large strain: Newton's method, up to "
+            << controls_.nOuterCorrectors() << " Picard iterations in a time"
+            << " step" << endl;
+    }
     fieldCheck::check(fields_);
     patchCheck::check(fields_);
 
