@@ -386,8 +386,18 @@ void Foam::validityCheck::report() const
         return;
     }
 
-    Info<< nl << "Largest gradient of D: " << gradient_
-        << ", displacement across an interface: " << displacement_
+    bool small = false;
+    for (const material& m : geometry_.materials().materials())
+    {
+        small = small || (m.solid() && !m.largeStrain());
+    }
+
+    Info<< nl << "Largest ";
+    if (small)
+    {
+        Info<< "gradient of D: " << gradient_ << ", ";
+    }
+    Info<< "displacement across an interface: " << displacement_
         << " of the fluid's cell" << endl;
 }
 
