@@ -24,7 +24,7 @@ Group
     grpUnifiedMomentum
 
 Description
-    Transient solver for incompressible laminar flow and linear-elastic solids
+    Transient solver for incompressible laminar flow and elastic solids
     on one mesh at rest, with one momentum equation for both.
 
     \heading Solver details
@@ -45,9 +45,12 @@ Description
         \quad \mathrm{(solid)}
     \f]
 
+    or, in solids of large strain, minus the first Piola-Kirchhoff stress.
+
     The displacement follows the velocity, D = D* + beta dt U, so the velocity
     is the only kinematic unknown. Velocity and traction are continuous across
-    an interface by construction. Valid for small displacements and strains.
+    an interface by construction. Valid for small displacements of interfaces
+    with a fluid, and small strains of linear solids.
 
     Where:
     \vartable
@@ -93,7 +96,7 @@ int main(int argc, char *argv[])
 {
     argList::addNote
     (
-        "Incompressible laminar flow and linear-elastic solids on one mesh,"
+        "Incompressible laminar flow and elastic solids on one mesh,"
         " with one momentum equation."
     );
 
