@@ -34,17 +34,18 @@ const Foam::wordList Foam::blockResiduals::names
 Foam::blockResiduals::blockValues Foam::blockResiduals::norms
 (
     const unifiedVector& v,
-    const bool residual
+    const bool residual,
+    const scalar roundOff
 ) const
 {
     const Vector<label>& solved = geometry_.mesh().solutionD();
 
     // Without a diagonal (slip of an inviscid fluid) nothing may be left over
-    const auto weighted = [residual](const scalar value, const scalar diag)
+    const auto weighted = [&](const scalar value, const scalar diag)
     {
         return
             diag > VSMALL ? (residual ? sqr(value)/diag : sqr(value)*diag)
-          : residual && value != 0 ? GREAT
+          : residual && mag(value) > roundOff ? GREAT
           : 0;
     };
 
@@ -115,9 +116,16 @@ void Foam::blockResiduals::compute
     unifiedVector dz(z);
     dz.add(-1, z0);
 
+    // Pressures that cancel on a face leave their round-off
+    scalar largest = 0;
+    for (const label celli : geometry_.cellsAndFaces(false).cells)
+    {
+        largest = max(largest, mag(z.p[celli])*faceArea_[celli]);
+    }
+
     const blockValues parts[] =
     {
-        norms(r, true),
+        norms(r, true, 1e-12*largest),
         norms(dz, false),
         norms(z, false),
         elastic_

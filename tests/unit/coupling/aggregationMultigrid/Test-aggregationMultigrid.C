@@ -23,6 +23,7 @@ License
 #include "testing.H"
 #include "aggregation.H"
 #include "aggregationMultigrid.H"
+#include "galerkinProduct.H"
 #include "ListOps.H"
 #include "labelField.H"
 #include <Eigen/Eigenvalues>
@@ -270,6 +271,64 @@ static void testGreedy()
 }
 
 
+//- Coarse matrices by blocks are those of Eigen's general product
+static void testProduct()
+{
+    const strip s(12, 9, 1);
+    testing::random next;
+
+    // Blocks of the strip's pattern, also of the size of coarse levels
+    for (const label d : {1, 2, 3, 6})
+    {
+        std::vector<Eigen::Triplet<double>> entries;
+        for (label i = 0; i < s.K.rows(); i += 2)
+        {
+            for (sparseMatrix::InnerIterator e(s.K, i); e; ++e)
+            {
+                for (label k = 0; k < d*d && e.col() % 2 == 0; ++k)
+                {
+                    entries.push_back
+                    ({int(i/2*d + k/d), int(e.col()/2*d + k % d), next()});
+                }
+            }
+        }
+        const label n = s.K.rows()/2;
+        sparseMatrix A(n*d, n*d);
+        A.setFromTriplets(entries.begin(), entries.end());
+
+        const label dc = (d == 1 ? 1 : d == 2 ? 3 : 6);
+        const label nCoarse = 7;
+        sparseMatrix C;
+
+        // The second time with the pattern of the first
+        for (label time = 0; time < 2; ++time)
+        {
+            entries.clear();
+            for (label i = 0; i < n*d; ++i)
+            {
+                const label first = (i/d)*nCoarse/n;
+                for (label c = first*dc; c < min(first + 2, nCoarse)*dc; ++c)
+                {
+                    entries.push_back({int(i), int(c), next()});
+                }
+            }
+            sparseMatrix P(n*d, nCoarse*dc);
+            P.setFromTriplets(entries.begin(), entries.end());
+
+            galerkinProduct(A, P, d, dc, C);
+
+            const Eigen::MatrixXd right(Eigen::MatrixXd(P).transpose()*A*P);
+            checkSmall
+            (
+                (Eigen::MatrixXd(C) - right).norm()/right.norm(),
+                1e-14,
+                "coarse matrix of blocks of " + Foam::name(d)
+            );
+        }
+    }
+}
+
+
 static void testDirect()
 {
     const strip s(20, 5, 1);
@@ -396,6 +455,7 @@ int main()
 {
     testPairwise();
     testGreedy();
+    testProduct();
     testDirect();
     testCycle(false);
     testCycle(true);

@@ -99,7 +99,7 @@ void Foam::aggregationMultigrid::update(const sparseMatrix& A)
     for (label leveli = 0; leveli + 1 < nLevels(); ++leveli)
     {
         setSmoother(levels_[leveli]);
-        levels_[leveli + 1].A = coarser(levels_[leveli]);
+        coarsen(levels_[leveli], levels_[leveli + 1]);
     }
 
     coarsest_.set(levels_.back().A);

@@ -22,6 +22,7 @@ License
 
 #include "aggregationMultigrid.H"
 #include "aggregation.H"
+#include "galerkinProduct.H"
 #include "labelField.H"
 #include "ListOps.H"
 #include <Eigen/QR>
@@ -152,22 +153,18 @@ Foam::sparseMatrix Foam::aggregationMultigrid::tentative
 }
 
 
-Foam::sparseMatrix Foam::aggregationMultigrid::coarser(const level& l)
+void Foam::aggregationMultigrid::coarsen(const level& l, level& next)
 {
-    const sparseMatrix AP(l.A*l.P);
-    sparseMatrix A(l.PT*AP);
+    galerkinProduct(l.A, l.P, l.d, next.d, next.A);
 
     // Unknowns of the empty columns: nothing acts on them
-    for (label i = 0; i < A.rows(); ++i)
+    for (label i = 0; i < next.A.rows(); ++i)
     {
-        if (!(A.coeff(i, i) > 0))
+        if (!(next.A.coeff(i, i) > 0))
         {
-            A.coeffRef(i, i) = 1;
+            next.A.coeffRef(i, i) = 1;
         }
     }
-    A.makeCompressed();
-
-    return A;
 }
 
 
@@ -224,7 +221,7 @@ Foam::aggregationMultigrid::aggregationMultigrid
         l.P = T - (4.0/(3*l.rho))*DAT;
         l.PT = l.P.transpose();
 
-        next.A = coarser(l);
+        coarsen(l, next);
         levels_.push_back(std::move(next));
     }
 }
