@@ -283,7 +283,11 @@ Foam::scalar Foam::stressFlux::energy(const vectorField& u, vectorField& uf)
         twice += geometry_.V()[celli]*(stress_[celli] && grad_[celli]);
     }
 
-    for (const labelList& faces : {zone_.internal, zone_.coupled, zone_.ownSides})
+    for
+    (
+        const labelList& faces
+      : {zone_.internal, zone_.coupled, zone_.ownSides}
+    )
     {
         for (const label facei : faces)
         {

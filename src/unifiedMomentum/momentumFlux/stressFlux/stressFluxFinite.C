@@ -125,7 +125,11 @@ Foam::scalar Foam::stressFlux::twiceFiniteEnergy() const
         twice += F & finite_.jump(facei, owner);
     };
 
-    for (const labelList& faces : {zone_.internal, zone_.coupled, zone_.ownSides})
+    for
+    (
+        const labelList& faces
+      : {zone_.internal, zone_.coupled, zone_.ownSides}
+    )
     {
         for (const label facei : faces)
         {

@@ -177,8 +177,11 @@ static void testLargeStrain()
         const tensor small(1, 2, 3, 2, 5, -1, 3, -1, 9);
         checkSmall
         (
-            mag(1e7*m->stress(1e-7*small) - symmTensor(24.5, 4, 6, 32.5, -2, 40.5))
-           /40,
+            mag
+            (
+                1e7*m->stress(1e-7*small)
+              - symmTensor(24.5, 4, 6, 32.5, -2, 40.5)
+            )/40,
             1e-5,
             m->type() + ": Hooke's law at small strain"
         );

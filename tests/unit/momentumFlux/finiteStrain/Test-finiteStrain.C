@@ -34,6 +34,18 @@ using namespace Foam::testing;
 
 // * * * * * * * * * * * * * * * * Operator  * * * * * * * * * * * * * * * * //
 
+static scalar sine(const scalar x)
+{
+    return Foam::sin(x);
+}
+
+
+static scalar cosine(const scalar x)
+{
+    return Foam::cos(x);
+}
+
+
 //- Forces of finite strain on cells and free faces, beta dt = 1
 class finiteOperator
 :
@@ -136,9 +148,9 @@ public:
                 const scalar s = 2*constant::mathematical::pi*x.x();
                 return vector
                 (
-                    0.2*x.y() + 0.03*Foam::sin(s) + 0.001*Foam::sin(91*x.y() + 5*s),
-                    0.06*Foam::sin(s) - 0.3*x.y() + 0.001*Foam::sin(83*x.z() + s),
-                    0.2*x.y() + 0.05*Foam::cos(s) + 0.001*Foam::sin(77*x.y() - s)
+                    0.2*x.y() + 0.03*sine(s) + 0.001*sine(91*x.y() + 5*s),
+                    0.06*sine(s) - 0.3*x.y() + 0.001*cosine(83*x.z() + s),
+                    0.2*x.y() + 0.05*cosine(s) + 0.001*sine(77*x.y() - s)
                 );
             }
         );
@@ -154,9 +166,9 @@ public:
                 const scalar s = 2*constant::mathematical::pi*x.x();
                 return vector
                 (
-                    Foam::sin(seed + 3*s + 31*x.y() + 17*x.z()),
-                    Foam::sin(2*seed - 2*s + 37*x.y() - 19*x.z()),
-                    Foam::cos(3*seed + s - 29*x.y() + 23*x.z())
+                    sine(seed + 3*s + 31*x.y() + 17*x.z()),
+                    sine(2*seed - 2*s + 37*x.y() - 19*x.z()),
+                    cosine(3*seed + s - 29*x.y() + 23*x.z())
                 );
             }
         );
@@ -199,7 +211,7 @@ static tensor turn(const vector& axis, const scalar degrees)
     const scalar a = degrees*constant::mathematical::pi/180;
 
     return
-        Foam::cos(a)*tensor::I + (1 - Foam::cos(a))*(n*n) + Foam::sin(a)*tensor(*n);
+        cosine(a)*tensor::I + (1 - cosine(a))*(n*n) + sine(a)*tensor(*n);
 }
 
 
