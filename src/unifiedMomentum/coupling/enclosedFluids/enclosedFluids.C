@@ -228,7 +228,6 @@ void Foam::enclosedFluids::solveModes(solidSolver& solid)
         y_.scale(-1);
 
         mode.setZero();
-        solid.start();
         solid.solve(y_, controls, mode);
         mode.p = unit.p;
     }

@@ -72,7 +72,6 @@ void Foam::solidSolver::choosePreconditioner()
             solidPreconditioner::New(name, op_, block_, faces_);
         preconditionerName_ = name;
         preconditioner_->update();
-        exact_ = false;
     }
 }
 
@@ -173,7 +172,6 @@ Foam::solidSolver::solidSolver
     y_(x_),
     s_(x_),
     oldS_(x_),
-    exact_(false),
     warned_(false)
 {}
 
@@ -285,19 +283,13 @@ Foam::label Foam::solidSolver::solve
 
     choosePreconditioner();
 
-    if (maxIter == 0 || exact_)
+    if (maxIter == 0 || preconditioner_->error() <= tolerance)
     {
         preconditioner_->solveOnce(r_, x_);
     }
     else
     {
         conjugateGradients(tolerance, maxIter, nIterations);
-
-        // Where it is one by construction: the matrix is that of orthogonal
-        // meshes. Elsewhere some residual may just be an easy one
-        exact_ =
-            nIterations == 1 && !geometry.skewed()
-         && !op_.flux().strain().active();
 
         if (debug)
         {

@@ -97,6 +97,8 @@ void Foam::sweep::setPressure()
     const labelUList& nei = mesh.faceNeighbour();
     const fluxGeometry::zone& fluid = geometry.cellsAndFaces(false);
     const scalarField& w = geometry.w();
+    scalar largest = 0;
+
     for (const label celli : fluid.cells)
     {
         // Between V/a_P and beta dt/rho, which are right for rough and for
@@ -113,7 +115,16 @@ void Foam::sweep::setPressure()
         // rule that takes more sweeps
         viscous_[celli] =
             0.75*geometry.materials()[celli].shear()/geometry.V()[celli];
+
+        largest = max
+        (
+            largest,
+            cmptMax(diag_[celli])*op_.flux().betaDt()/op_.mass()[celli]
+        );
     }
+
+    // Where inertia rules there is nothing left to balance
+    balances_ = returnReduce(largest, maxOp<scalar>()) > 4;
 
     const auto coefficient = [&](const label facei, const scalar DN)
     {
@@ -354,6 +365,77 @@ void Foam::sweep::correct(unifiedVector& dz)
 }
 
 
+void Foam::sweep::applyFluid(const unifiedVector& r, unifiedVector& dz)
+{
+    solveFluid(r, dz);
+
+    const label nCorrectors =
+        controls().getOrDefault<label>("nCorrectors", 3);
+
+    for (label corr = 0; corr < nCorrectors; ++corr)
+    {
+        if (corr > 0)
+        {
+            // What the pressure has left in the fluid's momentum
+            correction_.setZero();
+            solveFluid(r_, correction_);
+            dz.add(1, correction_);
+        }
+
+        op_.applyContinuity(dz, rp_);
+        rp_ = r.p - rp_;
+
+        if (corr == 0 && enclosed_.elastic())
+        {
+            enclosed_.correct(rp_, dz);
+            op_.applyContinuity(dz, rp_);
+            rp_ = r.p - rp_;
+        }
+
+        solvePressure(rp_);
+        correct(dz);
+
+        if (balances_ || corr < nCorrectors - 1)
+        {
+            op_.applyFluid(dz, solidSide_, r_.U);
+            r_.U = r.U - r_.U;
+        }
+        if (balances_)
+        {
+            balance(dz);
+        }
+    }
+}
+
+
+void Foam::sweep::balance(unifiedVector& dz)
+{
+    const fluxGeometry& geometry = op_.geometry();
+    const labelList& cells = geometry.cellsAndFaces(false).cells;
+
+    // More is too much where convection differs from cell to cell, and may
+    // then grow from corrector to corrector
+    const scalar part = 0.15;
+
+    // The velocity that the residual would give, and its divergence
+    correction_.setZero();
+    for (const label celli : cells)
+    {
+        correction_.U[celli] = D_[celli]/geometry.V()[celli]*r_.U[celli];
+    }
+
+    op_.applyContinuity(correction_, rp_);
+    rp_ = -rp_;
+    solvePressure(rp_);
+
+    for (const label celli : cells)
+    {
+        dz.p[celli] += part*dp_[celli];
+        r_.U[celli] -= part*geometry.V()[celli]*gradDp_[celli];
+    }
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::sweep::sweep(unifiedOperator& op)
@@ -380,6 +462,7 @@ Foam::sweep::sweep(unifiedOperator& op)
         op.geometry().mesh().lookupObject<volScalarField>("p")
     ),
     betaDt_(-1),
+    balances_(false),
     r_(op.geometry().mesh().nCells(), ownSide_.size()),
     correction_(r_),
     rp_(op.geometry().mesh().nCells(), 0),
@@ -453,8 +536,6 @@ void Foam::sweep::update()
         setPressure();
         enclosed_.update(solid_);
     }
-
-    solid_.start();
 }
 
 
@@ -476,46 +557,21 @@ void Foam::sweep::apply(const unifiedVector& r, unifiedVector& dz)
 {
     dz.setZero();
 
+    if (fluidZone_.valid())
+    {
+        applyFluid(r, dz);
+    }
+
     if (solidZone_.valid())
     {
-        solid_.solve(r, controls().subOrEmptyDict("krylov"), dz);
-    }
-
-    if (!fluidZone_.valid())
-    {
-        return;
-    }
-
-    solveFluid(r, dz);
-
-    const label nCorrectors =
-        controls().getOrDefault<label>("nCorrectors", 3);
-
-    for (label corr = 0; corr < nCorrectors; ++corr)
-    {
-        if (corr > 0)
-        {
-            // What the pressure has left in the fluid's momentum
-            op_.applyFluid(dz, solidSide_, r_.U);
-            r_.U = r.U - r_.U;
-
-            correction_.setZero();
-            solveFluid(r_, correction_);
-            dz.add(1, correction_);
-        }
-
-        op_.applyContinuity(dz, rp_);
-        rp_ = r.p - rp_;
-
-        if (corr == 0 && enclosed_.elastic())
-        {
-            enclosed_.correct(rp_, dz);
-            op_.applyContinuity(dz, rp_);
-            rp_ = r.p - rp_;
-        }
-
-        solvePressure(rp_);
-        correct(dz);
+        // Last: what the fluid's pressure does to a solid is the largest
+        // residual after a sweep, and the solid's solution is the best one
+        op_.apply(dz, r_);
+        r_.scale(-1);
+        r_.add(1, r);
+        correction_.setZero();
+        solid_.solve(r_, controls().subOrEmptyDict("krylov"), correction_);
+        dz.add(1, correction_);
     }
 }
 

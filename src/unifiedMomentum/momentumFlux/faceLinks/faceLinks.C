@@ -64,21 +64,21 @@ Foam::symmTensor Foam::faceLinks::sideLink
 }
 
 
-Foam::vector Foam::faceLinks::axis
+void Foam::faceLinks::setAxis
 (
     const cellLengths& lengths,
     const label celli,
-    const vector& dx
+    const vector& dx,
+    vector& axis,
+    scalar& slender
 )
 {
     const vector e(dx/mag(dx));
     const scalar q =
         min(lengths.shortestAcross(celli, e)/mag(dx), scalar(1));
 
-    return
-        lengths.nD() == 1
-      ? vector(Zero)
-      : vector(e*Foam::sqrt(max(1 - sqr(q), scalar(0))));
+    axis = lengths.nD() == 1 ? vector(Zero) : e;
+    slender = 1 - sqr(q);
 }
 
 
@@ -88,6 +88,8 @@ void Foam::faceLinks::setAxes(const cellLengths& lengths)
 
     ownAxis_ = geometry_.n();
     neiAxis_ = geometry_.n();
+    ownSlender_.setSize(ownAxis_.size(), 0);
+    neiSlender_.setSize(ownAxis_.size(), 0);
 
     forAll(ownAxis_, facei)
     {
@@ -99,7 +101,14 @@ void Foam::faceLinks::setAxes(const cellLengths& lengths)
         const label own = mesh.faceOwner()[facei];
         if (linked(own))
         {
-            ownAxis_[facei] = axis(lengths, own, geometry_.dOwn()[facei]);
+            setAxis
+            (
+                lengths,
+                own,
+                geometry_.dOwn()[facei],
+                ownAxis_[facei],
+                ownSlender_[facei]
+            );
         }
 
         if (mesh.isInternalFace(facei))
@@ -107,7 +116,14 @@ void Foam::faceLinks::setAxes(const cellLengths& lengths)
             const label nei = mesh.faceNeighbour()[facei];
             if (linked(nei))
             {
-                neiAxis_[facei] = axis(lengths, nei, geometry_.dNei()[facei]);
+                setAxis
+                (
+                    lengths,
+                    nei,
+                    geometry_.dNei()[facei],
+                    neiAxis_[facei],
+                    neiSlender_[facei]
+                );
             }
         }
     }
@@ -240,7 +256,7 @@ void Foam::faceLinks::setTwist(const cellLengths& lengths)
     const auto resist = [&](const label facei, const scalar shortestN)
     {
         twist_[facei] =
-            2.0/3.0*mag(mesh.faceAreas()[facei])
+            0.95*mag(mesh.faceAreas()[facei])
            *(
                 w[facei]*sqr(shortest[own[facei]])
               + (1 - w[facei])*sqr(shortestN)

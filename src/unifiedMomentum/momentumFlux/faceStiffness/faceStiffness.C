@@ -27,7 +27,9 @@ void Foam::faceStiffness::setSide
 (
     const label facei,
     const label celli,
+    const vector& dx,
     const scalar h,
+    const scalar slender,
     const scalar mu,
     const scalar lambda,
     scalar& aT,
@@ -46,8 +48,16 @@ void Foam::faceStiffness::setSide
         }
         case material::LINKED:
         {
-            aT = mu*S/h;
-            aN = (4*mu*(mu + lambda)/(2*mu + lambda) - mu)*S/h;
+            // Stretching along the long side of a slender cell, and the
+            // contraction across, which bending puts in
+            const scalar along = 4*mu*(mu + lambda)/(2*mu + lambda);
+            const scalar across = mu*(1 - sqr(lambda/(2*mu + lambda))/3);
+
+            // On slanted faces |S|/h would be too stiff
+            const scalar Sh = S*h/magSqr(dx);
+
+            aT = mu*Sh;
+            aN = (slender*along + (1 - slender)*across - mu)*Sh;
             break;
         }
         case material::LOCKING_FREE:
@@ -73,6 +83,7 @@ Foam::faceStiffness::faceStiffness
 )
 :
     geometry_(geometry),
+    links_(links),
     ownAxis_(links.ownAxis()),
     neiAxis_(links.neiAxis()),
     hMin_(geometry.mesh().nCells(), GREAT),
@@ -124,7 +135,9 @@ void Foam::faceStiffness::set
         (
             facei,
             own,
+            geometry_.dOwn()[facei],
             geometry_.hOwn()[facei],
+            links_.ownSlender(facei),
             mu[owni],
             lambda[owni],
             ownT_[facei],
@@ -140,7 +153,9 @@ void Foam::faceStiffness::set
             (
                 facei,
                 nei,
+                geometry_.dNei()[facei],
                 geometry_.hNei()[facei],
+                links_.neiSlender(facei),
                 mu[neii],
                 lambda[neii],
                 neiT_[facei],

@@ -484,7 +484,8 @@ static void testRigid(const Time& runTime, const string& kind)
     solids s(mesh(), freePatches, 1);
 
     const solidNodes nodes(s.flux.geometry());
-    solidStiffness K(nodes, stressFlux(s.flux.geometry(), true));
+    const stressFlux stress(s.flux.geometry(), true);
+    solidStiffness K(nodes, stress, true);
     K.update
     (
         scalarField(mesh->nCells(), 0),

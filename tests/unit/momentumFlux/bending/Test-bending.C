@@ -426,8 +426,8 @@ static void testBeams(const Time& runTime, const string& nu, const bool full)
               + Foam::name(aspect) + ":1",
                 clamped(mesh(), false, coarse ? 4 : 5),
                 exact,
-                coarse ? 3 : ny == 4 && nu == "0.49" ? 2.5 : 2,
-                4
+                ny == 4 ? 1.5 : 0.5,
+                coarse ? 3 : 1.5
             );
         }
     }
@@ -474,18 +474,18 @@ static void testBeamMeshes(const Time& runTime, const string& nu)
     const polyhedra triangles(prisms(uniform(0, length, 40), y, z));
 
     test("8:1, perturbed by 0.2 of the height", slender,
-        moved(slender, 0.05, 0.05), 3, 4);
+        moved(slender, 0.05, 0.05), 1, 2);
     test("8:1, perturbed by 0.2 both ways", slender,
-        moved(slender, 0.4, 0.05), 20, 15);
-    test("8:1, slanted by 30 degrees", slender, slanted(slender, 30), 6, 6);
-    test("2:1, hexagons", polygons, honeycomb(polygons, 160, 4), 15, 8);
-    test("8:1, hexagons", flat, honeycomb(flat, 40, 4), 100, 200);
-    test("8:1, hanging nodes", cut, cut.points, 3, 4);
-    test("graded along, 2.8:1 to 17:1", lengthening, lengthening.points, 3, 7);
-    test("graded across", thickening, thickening.points, 3, 4);
+        moved(slender, 0.4, 0.05), 12, 10);
+    test("8:1, slanted by 30 degrees", slender, slanted(slender, 30), 3, 3);
+    test("2:1, hexagons", polygons, honeycomb(polygons, 160, 4), 9, 5);
+    test("8:1, hexagons", flat, honeycomb(flat, 40, 4), 30, 25);
+    test("8:1, hanging nodes", cut, cut.points, 1, 1);
+    test("graded along, 2.8:1 to 17:1", lengthening, lengthening.points, 1, 7);
+    test("graded across", thickening, thickening.points, 1, 1.5);
     test("4:1, perturbed by 0.2 both ways", less, moved(less, 0.2, 0.05),
-        6, 4);
-    test("4:1, triangles", triangles, triangles.points, 100, 100);
+        2.5, 2);
+    test("4:1, triangles", triangles, triangles.points, 30, 20);
 }
 
 
@@ -513,9 +513,9 @@ static void testPlates(const Time& runTime, const string& nu)
           + Foam::name(flat) + ":1",
             clamped(mesh(), true, 6),
             exact,
-            3,
+            1.5,
             // of torsion
-            flat == 4 ? 4 : 8
+            flat == 4 ? 2 : 6.5
         );
     }
 }
@@ -528,12 +528,11 @@ static void testTorsion
     const Time& runTime,
     const string& nu,
     const label ny,
-    const scalar aspect,
-    const scalar torqueLimit,
-    const scalar frequencyLimit
+    const scalar aspect
 )
 {
     setMaterial(runTime, nu);
+    const scalar limit = ny == 4 ? 2 : 1;
     const label nx = 16;
     const scalar L = aspect*nx/ny;
     const scalar angle = 0.01;
@@ -595,6 +594,8 @@ static void testTorsion
         }
     }
 
+    // The masses of n x n cells in their centres turn more easily than the bar,
+    // by 1/n^2: 3.2 % of the frequency with 4 x 4
     const scalar J = 0.140577;
     const scalar torqueError = percent(torque, J*K.mu*angle/L);
     const scalar f = Foam::sqrt(K.mu*J*6/rho)/(2*L);
@@ -622,13 +623,13 @@ static void testTorsion
     {
         check
         (
-            mag(torqueError) <= torqueLimit,
-            name + ": torque within " + Foam::name(torqueLimit) + " %"
+            mag(torqueError) <= limit,
+            name + ": torque within " + Foam::name(limit) + " %"
         );
         check
         (
-            mag(frequencyError) <= frequencyLimit,
-            name + ": frequency within " + Foam::name(frequencyLimit) + " %"
+            mag(frequencyError) <= limit,
+            name + ": frequency within " + Foam::name(limit) + " %"
         );
     }
 }
@@ -659,11 +660,11 @@ int main(int argc, char* argv[])
         testBeams(runTime(), nu, full);
         testBeamMeshes(runTime(), nu);
         testPlates(runTime(), nu);
-        testTorsion(runTime(), nu, 4, 1, 7, 2);
-        testTorsion(runTime(), nu, 4, 4, 8, 2);
+        testTorsion(runTime(), nu, 4, 1);
+        testTorsion(runTime(), nu, 4, 4);
         if (full)
         {
-            testTorsion(runTime(), nu, 8, 1, 2.5, 2);
+            testTorsion(runTime(), nu, 8, 1);
         }
     }
 

@@ -207,6 +207,8 @@ public:
         const scalar mu = K_.mu;
         const scalar lambda = K_.lambda;
         const scalar plate = 4*mu*(mu + lambda)/(2*mu + lambda);
+        const scalar contraction = lambda/(2*mu + lambda);
+        const scalar thick = mu*(1 - sqr(contraction)/3);
 
         vectorField own(nFaces_, Zero);
         forAll(v.Uf, i)
@@ -260,7 +262,7 @@ public:
                 }
                 const vector& S = mesh_.faceAreas()[facei];
                 twice +=
-                    mu*magSqr(S)/(d_[facei] & S)*2*l2/3*sqr(0.5*(e & curl));
+                    mu*magSqr(S)/(d_[facei] & S)*0.95*l2*sqr(0.5*(e & curl));
             }
         }
 
@@ -290,10 +292,13 @@ public:
                     q = min(q, along(celli, t)/mag(dx));
                 }
                 twice +=
-                    mag(mesh_.faceAreas()[facei])/height(celli, facei)
+                    mag(mesh_.faceAreas()[facei])*height(celli, facei)
+                   /magSqr(dx)
                    *(
                         mu*magSqr(r)
-                      + (plate - mu)*(1 - sqr(q))*sqr(r & dx)/magSqr(dx)
+                      + (
+                            (1 - sqr(q))*plate + sqr(q)*thick - mu
+                        )*sqr(r & dx)/magSqr(dx)
                     );
             }
         }

@@ -615,6 +615,73 @@ static void testBoxes(const Time& runTime)
 }
 
 
+//- Cells 8 times as long as high, in bodies that are not slender: points
+//  move by up to 30 % of the height, or in both directions
+static void testSlender(const Time& runTime)
+{
+    const scalarList x(uniform(0, 1.6, 2));
+    const scalarList y(uniform(0, 1.2, 12));
+    const scalarList thin(uniform(0, 0.4, 1));
+    const scalarList wide(uniform(0, 1.2, 2));
+    const scalarList flat(uniform(0, 0.8, 8));
+    const planes kept
+    ({
+        scalarList({0, 1.6}), scalarList({0, 1.2}), scalarList({0, 0.4, 0.8})
+    });
+
+    const auto test = [&]
+    (
+        const polyhedra& cells,
+        const vector& move,
+        const string& name,
+        const bool skewed,
+        const bool warped
+    )
+    {
+        const autoPtr<fvMesh> mesh
+        (
+            boxMesh
+            (
+                runTime,
+                cells,
+                perturbed(cells.points, move, kept),
+                [](const point&) { return word("solid"); }
+            )
+        );
+        testMesh(mesh(), "slender, " + name, skewed, warped);
+    };
+
+    const vector little(0.03, 0.03, 0);
+    const vector both(0.2, 0.03, 0);
+
+    test(hexes(x, y, thin), Zero, "2-D", false, false);
+    test(hexes(x, y, thin), little, "2-D perturbed", true, false);
+    test(hexes(x, y, thin), both, "2-D perturbed both ways", true, false);
+    test
+    (
+        hexes(graded(0, 1.6, 3, 1.5), graded(0, 1.2, 10, 0.8), thin),
+        Zero, "2-D graded", false, false
+    );
+    test(prisms(x, y, thin), little, "2-D triangles", true, false);
+    test
+    (
+        hexagons(uniform(0, 1.6, 6), y, thin),
+        Zero, "2-D hexagons", true, false
+    );
+    test(hexes(x, wide, flat), Zero, "3-D plates", false, false);
+    test
+    (
+        hexes(x, wide, flat),
+        vector(0.1, 0.1, 0.03), "3-D plates, perturbed", true, true
+    );
+    test
+    (
+        hexes(x, uniform(0, 0.3, 3), uniform(0, 0.3, 3)),
+        Zero, "3-D bars", false, false
+    );
+}
+
+
 //- Cyclic faces that cut slender cells from each other
 static void testCyclic(const Time& runTime)
 {
@@ -734,6 +801,7 @@ int main(int argc, char* argv[])
     testSingleCell(runTime());
     testClosedForms(runTime());
     testBoxes(runTime());
+    testSlender(runTime());
     testCyclic(runTime());
     testDual();
 

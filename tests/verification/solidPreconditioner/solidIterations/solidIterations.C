@@ -247,7 +247,6 @@ int main(int argc, char *argv[])
         const char* name
     )
     {
-        solver.start();
         const label n =
             solve(solver, mesh, preconditioner, 1e-4, r, x);
         x.add(-1, exact);

@@ -65,17 +65,26 @@ struct graph
     //- Largest conductivity of couplings inside, of a node of all its own
     scalarList conductivity;
 
+    //- Largest strength of couplings inside
+    scalarList strength;
+
     explicit graph(const label n)
     :
         neighbours(n),
         centres(n, Zero),
         sizes(n, 0.0),
-        conductivity(n, 0.0)
+        conductivity(n, 0.0),
+        strength(n, 0.0)
     {}
 
     label size() const
     {
         return sizes.size();
+    }
+
+    scalar strengthOf(const label i, const label j, const link& l) const
+    {
+        return l.product/max(mag(centres[j] - centres[i]), VSMALL);
     }
 };
 
@@ -89,6 +98,10 @@ static label match(const graph& g, labelList& aggregate)
     // A coupling with less than this part of the conductivity inside one of
     // both leads into a softer material
     const scalar soft = 0.02;
+
+    // One with less than this part of the strength inside leads along a flat
+    // cell: the smoother does nothing in that direction
+    const scalar weak = 0.1;
 
     label n = 0;
     aggregate = labelList(g.size(), -1);
@@ -120,8 +133,12 @@ static label match(const graph& g, labelList& aggregate)
                 continue;
             }
 
-            const scalar strength =
-                l.product/max(mag(g.centres[j] - g.centres[i]), VSMALL);
+            const scalar strength = g.strengthOf(i, j, l);
+
+            if (strength < weak*max(g.strength[i], g.strength[j]))
+            {
+                continue;
+            }
 
             if (aggregate[j] < 0 && strength > strongestFree)
             {
@@ -166,13 +183,23 @@ static graph coarser(const graph& g, const labelList& aggregate, const label n)
         coarse.centres[a] += g.sizes[i]*g.centres[i];
         coarse.conductivity[a] =
             max(coarse.conductivity[a], g.conductivity[i]);
+        coarse.strength[a] = max(coarse.strength[a], g.strength[i]);
 
         for (const auto& neighbour : g.neighbours[i])
         {
-            if (aggregate[neighbour.first] != a)
+            const label j = neighbour.first;
+
+            if (aggregate[j] != a)
             {
-                coarse.neighbours[a][aggregate[neighbour.first]] +=
-                    neighbour.second;
+                coarse.neighbours[a][aggregate[j]] += neighbour.second;
+            }
+            else
+            {
+                coarse.strength[a] = max
+                (
+                    coarse.strength[a],
+                    g.strengthOf(i, j, neighbour.second)
+                );
             }
         }
     }

@@ -32,6 +32,7 @@ void Foam::aggregationMultigrid::smooth
     const bool fromZero
 ) const
 {
+    const sparseMatrix& A = matrix(l);
     const scalar largest = 1.1*l.rho;
     const scalar smallest = largest/ratio_;
     const scalar centre = 0.5*(largest + smallest);
@@ -44,7 +45,7 @@ void Foam::aggregationMultigrid::smooth
     }
     else
     {
-        r.noalias() -= l.A*x;
+        r.noalias() -= A*x;
     }
 
     Eigen::VectorXd step(l.invD*r);
@@ -57,7 +58,7 @@ void Foam::aggregationMultigrid::smooth
 
         if (k + 1 < nSteps_)
         {
-            r.noalias() -= l.A*step;
+            r.noalias() -= A*step;
             const scalar next = 1/(2*centre/radius - factor);
             step *= next*factor;
             step.noalias() += (2*next/radius)*(l.invD*r);
@@ -82,8 +83,8 @@ Eigen::VectorXd Foam::aggregationMultigrid::cycle
     Eigen::VectorXd x;
 
     smooth(l, b, x, true);
-    const Eigen::VectorXd r(b - l.A*x);
-    x += l.P*cycle(leveli + 1, l.PT*r);
+    const Eigen::VectorXd r(b - matrix(l)*x);
+    x += l.P*cycle(leveli + 1, l.P.transpose()*r);
     smooth(l, b, x, false);
 
     return x;
@@ -94,7 +95,7 @@ Eigen::VectorXd Foam::aggregationMultigrid::cycle
 
 void Foam::aggregationMultigrid::update(const sparseMatrix& A)
 {
-    levels_[0].A = A;
+    finest_ = &A;
 
     for (label leveli = 0; leveli + 1 < nLevels(); ++leveli)
     {
@@ -102,7 +103,7 @@ void Foam::aggregationMultigrid::update(const sparseMatrix& A)
         coarsen(levels_[leveli], levels_[leveli + 1]);
     }
 
-    coarsest_.set(levels_.back().A);
+    coarsest_.set(matrix(levels_.back()));
 }
 
 
@@ -111,10 +112,10 @@ Foam::scalar Foam::aggregationMultigrid::complexity() const
     scalar sum = 0;
     for (const level& l : levels_)
     {
-        sum += l.A.nonZeros();
+        sum += matrix(l).nonZeros();
     }
 
-    return sum/max(scalar(levels_[0].A.nonZeros()), scalar(1));
+    return sum/max(scalar(finest_->nonZeros()), scalar(1));
 }
 
 

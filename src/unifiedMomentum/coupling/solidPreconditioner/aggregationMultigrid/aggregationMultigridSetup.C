@@ -29,13 +29,14 @@ License
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::aggregationMultigrid::setSmoother(level& l)
+void Foam::aggregationMultigrid::setSmoother(level& l) const
 {
+    const sparseMatrix& A = matrix(l);
     const label d = l.d;
-    const label n = l.A.rows()/d;
+    const label n = A.rows()/d;
 
-    l.invD = sparseMatrix(l.A.rows(), l.A.rows());
-    l.invD.reserve(Eigen::VectorXi::Constant(l.A.rows(), d));
+    l.invD = sparseMatrix(A.rows(), A.rows());
+    l.invD.reserve(Eigen::VectorXi::Constant(A.rows(), d));
 
     for (label i = 0; i < n; ++i)
     {
@@ -43,7 +44,7 @@ void Foam::aggregationMultigrid::setSmoother(level& l)
 
         for (label k = 0; k < d; ++k)
         {
-            for (sparseMatrix::InnerIterator e(l.A, d*i + k); e; ++e)
+            for (sparseMatrix::InnerIterator e(A, d*i + k); e; ++e)
             {
                 if (e.col()/d == i)
                 {
@@ -65,7 +66,7 @@ void Foam::aggregationMultigrid::setSmoother(level& l)
 
     // Largest eigenvalue from below, by power iterations from a repeatable
     // start
-    Eigen::VectorXd x(l.A.rows());
+    Eigen::VectorXd x(A.rows());
     unsigned long state = 1;
     for (label i = 0; i < x.size(); ++i)
     {
@@ -76,7 +77,7 @@ void Foam::aggregationMultigrid::setSmoother(level& l)
     l.rho = 1;
     for (label iter = 0; iter < 15; ++iter)
     {
-        const Eigen::VectorXd Ax(l.A*x);
+        const Eigen::VectorXd Ax(A*x);
         x.noalias() = l.invD*Ax;
         l.rho = x.norm();
         x /= l.rho;
@@ -153,9 +154,9 @@ Foam::sparseMatrix Foam::aggregationMultigrid::tentative
 }
 
 
-void Foam::aggregationMultigrid::coarsen(const level& l, level& next)
+void Foam::aggregationMultigrid::coarsen(const level& l, level& next) const
 {
-    galerkinProduct(l.A, l.P, l.d, next.d, next.A);
+    galerkinProduct(matrix(l), l.P, l.d, next.d, next.A);
 
     // Unknowns of the empty columns: nothing acts on them
     for (label i = 0; i < next.A.rows(); ++i)
@@ -182,45 +183,55 @@ Foam::aggregationMultigrid::aggregationMultigrid
 :
     nSteps_(hard ? 4 : 2),
     ratio_(hard ? 20 : 8),
+    finest_(&K),
     levels_(1)
 {
-    const label maxCoarsest = 300;
     const label maxLevels = 10;
 
-    levels_[0].A = K;
+    // No copies of large matrices on the way
+    levels_.reserve(maxLevels);
     levels_[0].d = d;
 
     Eigen::MatrixXd B(modes);
     labelList groups(aggregates);
 
-    while
-    (
-        levels_.back().A.rows() > (nLevels() == 1 ? nDirect : maxCoarsest)
-     && nLevels() < maxLevels
-    )
+    const auto direct = [&]()
+    {
+        const sparseMatrix& A = matrix(levels_.back());
+
+        return
+            nLevels() == 1
+          ? A.rows() <= nDirect
+          : A.rows() <= 300
+         || (A.rows() <= 10000 && factorised::operations(A) < 2e9);
+    };
+
+    while (!direct() && nLevels() < maxLevels)
     {
         level& l = levels_.back();
+        const sparseMatrix& A = matrix(l);
 
         setSmoother(l);
         if (nLevels() > 1)
         {
-            groups = aggregation::greedy(l.A, l.d, 0.05);
+            groups = aggregation::greedy(A, l.d, 0.05);
+        }
+
+        const label dCoarse = B.cols();
+        {
+            const sparseMatrix T(tentative(groups, l.d, B));
+            if (T.cols() >= A.rows())
+            {
+                break;
+            }
+
+            sparseMatrix DAT(A*T);
+            DAT = l.invD*DAT;
+            l.P = T - (4.0/(3*l.rho))*DAT;
         }
 
         level next;
-        next.d = B.cols();
-
-        const sparseMatrix T(tentative(groups, l.d, B));
-        if (T.cols() >= l.A.rows())
-        {
-            break;
-        }
-
-        const sparseMatrix AT(l.A*T);
-        const sparseMatrix DAT(l.invD*AT);
-        l.P = T - (4.0/(3*l.rho))*DAT;
-        l.PT = l.P.transpose();
-
+        next.d = dCoarse;
         coarsen(l, next);
         levels_.push_back(std::move(next));
     }

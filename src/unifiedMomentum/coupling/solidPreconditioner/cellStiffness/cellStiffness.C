@@ -24,7 +24,11 @@ License
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::cellStiffness::addFace(const label celli, const label facei)
+Foam::cellStiffness::velocity Foam::cellStiffness::beyond
+(
+    const label celli,
+    const label facei
+) const
 {
     const fluxGeometry& geometry = nodes_.geometry();
     const fvMesh& mesh = geometry.mesh();
@@ -37,15 +41,7 @@ void Foam::cellStiffness::addFace(const label celli, const label facei)
     const vector& dxOther =
         owner ? geometry.dNei()[facei] : geometry.dOwn()[facei];
 
-    velocity v{-1, -1, tensor::I, dx, S/V_};
-    side s
-    {
-        facei,
-        owner,
-        velocities_.size(),
-        1,
-        stress_.stiffness().of(facei, owner)
-    };
+    velocity v{-1, -1, tensor::I, dx, S/geometry.V()[celli]};
 
     const tensor along(tensor::I - tensor(sqr(geometry.n()[facei])));
 
@@ -53,10 +49,8 @@ void Foam::cellStiffness::addFace(const label celli, const label facei)
     {
         case fluxGeometry::INSIDE:
         {
-            s.w = owner ? 1 - geometry.w()[facei] : geometry.w()[facei];
             v.x = dx - dxOther;
-            v.g *= s.w;
-            velocities_[0].g += (1 - s.w)/V_*S;
+            v.g *= weight(celli, facei);
 
             if (mesh.isInternalFace(facei))
             {
@@ -117,55 +111,85 @@ void Foam::cellStiffness::addFace(const label celli, const label facei)
         }
     }
 
-    if (shape_)
+    if (shape_ && stress_.finite().in(celli))
     {
-        v.x += displaced(celli, facei, owner);
+        v.x += displaced(celli, facei);
     }
 
-    velocities_.append(v);
-    sides_.append(s);
+    return v;
 }
 
 
 Foam::vector Foam::cellStiffness::displaced
 (
     const label celli,
-    const label facei,
-    const bool owner
+    const label facei
 ) const
 {
     const fluxGeometry& geometry = nodes_.geometry();
     const fvMesh& mesh = geometry.mesh();
     const vectorField& D = shape_->cells;
 
-    if (!stress_.finite().in(celli))
-    {
-        return Zero;
-    }
-
     if (geometry.kind(facei) == fluxGeometry::SYMMETRY)
     {
         return geometry.tangential(facei, D[celli]) - D[celli];
     }
-
-    if (geometry.kind(facei) != fluxGeometry::INSIDE)
+    else if (geometry.kind(facei) != fluxGeometry::INSIDE)
     {
         return shape_->faces[facei] - D[celli];
     }
-
-    if (!mesh.isInternalFace(facei))
+    else if (!mesh.isInternalFace(facei))
     {
-        return beyond_[facei - mesh.nInternalFaces()] - D[celli];
+        return displacedBeyond_[facei - mesh.nInternalFaces()] - D[celli];
     }
 
-    const label other =
-        owner ? mesh.faceNeighbour()[facei] : mesh.faceOwner()[facei];
+    const label own = mesh.faceOwner()[facei];
 
-    return D[other] - D[celli];
+    return D[own == celli ? mesh.faceNeighbour()[facei] : own] - D[celli];
 }
 
 
-void Foam::cellStiffness::correctGradient()
+Foam::scalar Foam::cellStiffness::weight
+(
+    const label celli,
+    const label facei
+) const
+{
+    const fluxGeometry& geometry = nodes_.geometry();
+    const bool owner = geometry.mesh().faceOwner()[facei] == celli;
+
+    return
+        geometry.kind(facei) != fluxGeometry::INSIDE ? 1
+      : owner ? 1 - geometry.w()[facei]
+      : geometry.w()[facei];
+}
+
+
+void Foam::cellStiffness::addFace(const label celli, const label facei)
+{
+    const fvMesh& mesh = nodes_.geometry().mesh();
+    const bool owner = mesh.faceOwner()[facei] == celli;
+    const scalar w = weight(celli, facei);
+
+    sides_.append
+    (
+        side
+        {
+            facei,
+            owner,
+            velocities_.size(),
+            w,
+            stress_.stiffness().of(facei, owner)
+        }
+    );
+    velocities_.append(beyond(celli, facei));
+
+    velocities_[0].g +=
+        (owner ? 1 : -1)*(1 - w)/V_*mesh.faceAreas()[facei];
+}
+
+
+Foam::tensor Foam::cellStiffness::positionGradient() const
 {
     // Directions that empty patches remove
     tensor B(tensor::I);
@@ -179,23 +203,38 @@ void Foam::cellStiffness::correctGradient()
         B += v.g*v.x;
     }
 
-    const tensor invB(inv(B));
-    for (velocity& v : velocities_)
-    {
-        v.g = invB & v.g;
-    }
+    return B;
+}
 
-    if (shape_ && stress_.finite().in(celli_))
+
+void Foam::cellStiffness::takeShape(const label celli)
+{
+    FT_ = tensor::I;
+
+    if (shape_ && stress_.finite().in(celli))
     {
+        const faceStiffness& A = stress_.stiffness();
+        FT_ = positionGradient();
+
         for (side& s : sides_)
         {
-            const faceStiffness& A = stress_.stiffness();
-            const vector e(A.axis(s.facei, s.owner) & B);
+            const vector e(A.axis(s.facei, s.owner) & FT_);
 
             s.A =
                 A.across(s.facei, s.owner)*symmTensor::I
               + A.along(s.facei, s.owner)*sqr(e);
         }
+    }
+}
+
+
+void Foam::cellStiffness::correctGradient()
+{
+    const tensor B(positionGradient());
+    const tensor invB(inv(B));
+    for (velocity& v : velocities_)
+    {
+        v.g = invB & v.g;
     }
 }
 
@@ -222,28 +261,50 @@ void Foam::cellStiffness::setJumps()
 }
 
 
+void Foam::cellStiffness::softenVolume(const label celli)
+{
+    const fluxGeometry& geometry = nodes_.geometry();
+    scalar skewness = 0;
+
+    for (const label facei : geometry.mesh().cells()[celli])
+    {
+        if (geometry.kind(facei) == fluxGeometry::INSIDE)
+        {
+            skewness +=
+                mag(geometry.mesh().faceAreas()[facei])
+               *mag(geometry.skew()[facei])/V_;
+        }
+    }
+
+    lambda_ /= 1 + 0.1*sqr(skewness)*lambda_/mu_;
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::cellStiffness::cellStiffness
 (
     const solidNodes& nodes,
     const stressFlux& stress,
+    const bool withLinks,
     const finiteStrain::shape* shape
 )
 :
     nodes_(nodes),
     stress_(stress),
+    withLinks_(withLinks && stress.links().active()),
     shape_(shape),
-    beyond_
+    displacedBeyond_
     (
         shape
       ? nodes.geometry().neighbourValues(shape->cells)
       : tmp<vectorField>(new vectorField())
     ),
-    celli_(-1),
+    FT_(tensor::I),
     V_(0),
     mu_(0),
-    lambda_(0)
+    lambda_(0),
+    linked_(false)
 {}
 
 
@@ -255,7 +316,6 @@ Foam::cellStiffness::set(const label celli)
     const fluxGeometry& geometry = nodes_.geometry();
     const material& law = geometry.materials()[celli];
 
-    celli_ = celli;
     V_ = geometry.V()[celli];
     mu_ = law.shear();
     lambda_ = law.lambda();
@@ -275,8 +335,23 @@ Foam::cellStiffness::set(const label celli)
         }
     }
 
-    correctGradient();
-    setJumps();
+    takeShape(celli);
+
+    if (geometry.skewed())
+    {
+        softenVolume(celli);
+    }
+
+    linked_ = addLinks(celli);
+    if (linked_)
+    {
+        setLinked();
+    }
+    else
+    {
+        correctGradient();
+        setJumps();
+    }
 
     return velocities_;
 }
@@ -284,6 +359,23 @@ Foam::cellStiffness::set(const label celli)
 
 Foam::tensor Foam::cellStiffness::block(const label i, const label j) const
 {
+    const tensor Ti(velocities_[i].T.T());
+
+    if (linked_)
+    {
+        tensor K;
+        for (direction k = 0; k < 3; ++k)
+        {
+            for (direction l = 0; l < 3; ++l)
+            {
+                K(k, l) = K_(3*i + k, 3*j + l);
+            }
+        }
+        const tensor KTj(K & velocities_[j].T);
+
+        return Ti & KTj;
+    }
+
     const vector& gi = velocities_[i].g;
     const vector& gj = velocities_[j].g;
 
@@ -302,7 +394,6 @@ Foam::tensor Foam::cellStiffness::block(const label i, const label j) const
         }
     }
 
-    const tensor Ti(velocities_[i].T.T());
     const tensor KTj(K & velocities_[j].T);
 
     return Ti & KTj;

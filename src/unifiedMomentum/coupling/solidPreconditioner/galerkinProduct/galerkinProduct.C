@@ -302,7 +302,9 @@ void Foam::galerkinProduct
 
     if (C.nonZeros() == 0)
     {
-        C = emptyProduct(A, columnsP, d, dc, P.cols()/dc);
+        // No copy of what is large
+        sparseMatrix empty(emptyProduct(A, columnsP, d, dc, P.cols()/dc));
+        C.swap(empty);
     }
     std::fill(C.valuePtr(), C.valuePtr() + C.nonZeros(), 0);
 

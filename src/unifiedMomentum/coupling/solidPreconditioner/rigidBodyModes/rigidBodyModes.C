@@ -216,6 +216,74 @@ Foam::label Foam::rigidBodyModes::nCoarsePasses() const
 }
 
 
+Foam::scalar Foam::rigidBodyModes::dot
+(
+    const unifiedVector& a,
+    const unifiedVector& b
+) const
+{
+    scalar sum = 0;
+    for (const label celli : nodes_.geometry().cellsAndFaces(true).cells)
+    {
+        sum += a.U[celli] & b.U[celli];
+    }
+    forAll(faces_.weight, i)
+    {
+        sum += faces_.weight[i]*(a.Uf[i] & b.Uf[i]);
+    }
+
+    return returnReduce(sum, sumOp<scalar>());
+}
+
+
+void Foam::rigidBodyModes::setError()
+{
+    error_ =
+        own_.valid() && coarse_.valid() ? GREAT
+      : own_.valid() ? own_().error()
+      : coarse_().error();
+
+    // Where the matrix is not that of the operator by construction, or not of
+    // the one at the next state
+    if
+    (
+        nodes_.geometry().skewed() || op_.flux().strain().active()
+     || returnReduce(error_, maxOp<scalar>()) > 1
+    )
+    {
+        error_ = GREAT;
+        return;
+    }
+
+    // A force without structure, which moves most where a solid is soft
+    const fvMesh& mesh = nodes_.geometry().mesh();
+    unifiedVector r(mesh.nCells(), faces_.weight.size());
+    unifiedVector x(r), Ax(r), y(r);
+    unsigned long state = 1;
+
+    for (const label celli : nodes_.geometry().cellsAndFaces(true).cells)
+    {
+        for (const direction k : nodes_.directions())
+        {
+            state = state*6364136223846793005ul + 1442695040888963407ul;
+            r.U[celli][k] = scalar(state >> 33)/scalar(1ul << 31) - 0.5;
+        }
+    }
+
+    apply(r, x);
+    op_.applySolid(x, faces_.fluidSide, Ax);
+    const scalar energy = dot(x, Ax);
+
+    apply(Ax, y);
+    y.add(-1, x);
+    op_.applySolid(y, faces_.fluidSide, Ax);
+
+    const scalar error = Foam::sqrt(mag(dot(y, Ax))/max(energy, VSMALL));
+    reduce(error_, maxOp<scalar>());
+    error_ = error < 1e-5 ? max(error, error_) : GREAT;
+}
+
+
 bool Foam::rigidBodyModes::takeShape()
 {
     const fluxGeometry& geometry = nodes_.geometry();
@@ -269,15 +337,26 @@ void Foam::rigidBodyModes::setUp()
     // Not that of the operator: the same at any time step, to the last digit,
     // so that a restart goes on bitwise
     const stressFlux stress(op_.geometry(), true);
+
+    // Links make the rows of the matrix up to four times longer. In multigrid
+    // that costs more than the iterations that they save
+    const label maxDirect = d == 3 ? maxDirect3D : maxDirect2D;
+    const label maxWhole = d == 3 ? maxWhole3D : maxWhole2D;
+    const label most = returnReduce(nodes_.nOwn(), maxOp<label>());
+    const label all = returnReduce(nodes_.nOwn(), sumOp<label>());
+    const bool whole = Pstream::parRun() && all <= maxWhole;
+
     stiffness_.reset
     (
         new solidStiffness
         (
             nodes_,
             stress,
+            whole || most <= maxDirect,
             shape_.cells.size() ? &shape_ : nullptr
         )
     );
+    smoother_.reset(new operatorSmoother(op_, faces_, stiffness_()));
 
     // Without inertia and fluid
     stiffness_().update
@@ -286,12 +365,7 @@ void Foam::rigidBodyModes::setUp()
         vectorField(faces_.weight.size(), Zero)
     );
 
-    if
-    (
-        Pstream::parRun()
-     && returnReduce(nodes_.nOwn(), sumOp<label>())
-     <= (d == 3 ? maxWhole3D : maxWhole2D)
-    )
+    if (whole)
     {
         // Each node an aggregate with all its motion: the whole matrix
         Eigen::MatrixXd all(Eigen::MatrixXd::Zero(d*nodes_.nOwn(), d));
@@ -318,7 +392,7 @@ void Foam::rigidBodyModes::setUp()
             d,
             B,
             aggregates(d == 3 ? 4 : 3),
-            d*(d == 3 ? maxDirect3D : maxDirect2D),
+            d*maxDirect,
             hard()
         )
     );
@@ -340,7 +414,9 @@ Foam::rigidBodyModes::rigidBodyModes(unifiedOperator& op, const faces& f)
     solidPreconditioner(op, f),
     nodes_(op.geometry()),
     timeIndex_(-1),
-    written_(true)
+    written_(true),
+    error_(GREAT),
+    correction_(op.geometry().mesh().nCells(), f.weight.size())
 {}
 
 
@@ -370,10 +446,13 @@ void Foam::rigidBodyModes::update()
     {
         coarse_().update();
     }
+
+    smoother_().update();
+    setError();
 }
 
 
-void Foam::rigidBodyModes::apply(const unifiedVector& r, unifiedVector& x)
+void Foam::rigidBodyModes::solve(const unifiedVector& r, unifiedVector& x)
 {
     Eigen::VectorXd b, x1, Ax;
     stiffness_().eliminate(r, b);
@@ -401,6 +480,21 @@ void Foam::rigidBodyModes::apply(const unifiedVector& r, unifiedVector& x)
     const scalar scale = 1/op_.flux().betaDt();
     x.U *= scale;
     x.Uf *= scale;
+}
+
+
+void Foam::rigidBodyModes::apply(const unifiedVector& r, unifiedVector& x)
+{
+    if (!smoother_().active())
+    {
+        solve(r, x);
+        return;
+    }
+
+    smoother_().smooth(r, x, true);
+    solve(smoother_().residual(r, x), correction_);
+    x.add(1, correction_);
+    smoother_().smooth(r, x, false);
 }
 
 

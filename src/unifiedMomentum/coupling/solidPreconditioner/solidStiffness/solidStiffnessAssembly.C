@@ -117,8 +117,6 @@ void Foam::solidStiffness::setValues(cellStiffness& cell)
     const DynamicList<direction>& directions = nodes_.directions();
     const label d = directions.size();
 
-    base_.assign(matrix_.nonZeros(), 0);
-
     for (const label celli : nodes_.geometry().cellsAndFaces(true).cells)
     {
         const DynamicList<cellStiffness::velocity>& v = cell.set(celli);
@@ -170,7 +168,7 @@ void Foam::solidStiffness::setValues(cellStiffness& cell)
                         v[i].node,
                         place(v[i].node, v[j].node),
                         K,
-                        base_.data()
+                        matrix_.valuePtr()
                     );
                 }
                 else if (v[j].node >= 0)
@@ -232,6 +230,62 @@ void Foam::solidStiffness::setValues(cellStiffness& cell)
         f.nodes.transfer(nodes);
         free_.push_back(std::move(f));
     }
+
+    keepBase();
+}
+
+
+template<class Action>
+void Foam::solidStiffness::forChanged(const Action& action)
+{
+    const label d = nodes_.blockSize();
+
+    const auto actOn = [&](const label nodei, const label place)
+    {
+        const label rowSize = d*(start_[nodei + 1] - start_[nodei]);
+        double* row =
+            matrix_.valuePtr() + d*d*start_[nodei] + d*(place - start_[nodei]);
+
+        for (label k = 0; k < d; ++k)
+        {
+            for (label l = 0; l < d; ++l)
+            {
+                action(row[k*rowSize + l]);
+            }
+        }
+    };
+
+    for (label nodei = 0; nodei < nodes_.nAll(); ++nodei)
+    {
+        actOn(nodei, place(nodei, nodei));
+    }
+
+    for (const freeFaces& f : free_)
+    {
+        label pair = 0;
+        for (const label nodei : f.nodes)
+        {
+            for (label j = 0; j < f.nodes.size(); ++j)
+            {
+                actOn(nodei, f.places[pair++]);
+            }
+        }
+    }
+}
+
+
+void Foam::solidStiffness::keepBase()
+{
+    base_.clear();
+    forChanged([&](const double value) { base_.push_back(value); });
+    base_.shrink_to_fit();
+}
+
+
+void Foam::solidStiffness::restoreBase()
+{
+    auto from = base_.begin();
+    forChanged([&](double& value) { value = *from++; });
 }
 
 
@@ -241,12 +295,13 @@ Foam::solidStiffness::solidStiffness
 (
     const solidNodes& nodes,
     const stressFlux& stress,
+    const bool withLinks,
     const finiteStrain::shape* shape
 )
 :
     nodes_(nodes)
 {
-    cellStiffness cell(nodes, stress, shape);
+    cellStiffness cell(nodes, stress, withLinks, shape);
 
     setPattern(cell);
     setValues(cell);
@@ -265,7 +320,7 @@ void Foam::solidStiffness::update
     const label d = directions.size();
     double* values = matrix_.valuePtr();
 
-    std::copy(base_.begin(), base_.end(), values);
+    restoreBase();
 
     for (const label celli : nodes_.geometry().cellsAndFaces(true).cells)
     {

@@ -21,7 +21,6 @@ License
 
 
 #include "sparseMatrix.H"
-#include "error.H"
 
 // * * * * * * * * * * * * * * * Functions * * * * * * * * * * * * * * * * * //
 
@@ -69,75 +68,6 @@ Foam::sparseMatrix Foam::blockPattern
     std::fill(A.valuePtr(), A.valuePtr() + entry, 0);
 
     return A;
-}
-
-
-// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
-
-Foam::factorised::factorised()
-:
-    analysed_(false)
-{}
-
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-void Foam::factorised::set(const sparseMatrix& A)
-{
-    if (A.rows() == 0)
-    {
-        return;
-    }
-
-    // Symmetric: its rows are its columns
-    Eigen::SparseMatrix<double> columns
-    (
-        Eigen::Map<const Eigen::SparseMatrix<double>>
-        (
-            A.rows(),
-            A.cols(),
-            A.nonZeros(),
-            A.outerIndexPtr(),
-            A.innerIndexPtr(),
-            A.valuePtr()
-        )
-    );
-
-    if (!analysed_)
-    {
-        solver_.analyzePattern(columns);
-        analysed_ = true;
-    }
-
-    // A free body at a huge time step is singular to round-off
-    const Eigen::VectorXd diagonal(columns.diagonal());
-
-    for (double shift = 1e-13; shift < 1; shift *= 100)
-    {
-        for (label i = 0; i < columns.rows(); ++i)
-        {
-            columns.coeffRef(i, i) = (1 + shift)*diagonal[i];
-        }
-        solver_.factorize(columns);
-
-        if
-        (
-            solver_.info() == Eigen::Success
-         && solver_.vectorD().minCoeff() > 0
-        )
-        {
-            return;
-        }
-    }
-
-    FatalErrorInFunction
-        << "A matrix of the solids is not positive" << exit(FatalError);
-}
-
-
-Eigen::VectorXd Foam::factorised::solve(const Eigen::VectorXd& b) const
-{
-    return b.size() ? Eigen::VectorXd(solver_.solve(b)) : b;
 }
 
 

@@ -1,0 +1,387 @@
+/*---------------------------------------------------------------------------*\
+  umfsiFoam: fluid-structure interaction with one momentum equation
+-------------------------------------------------------------------------------
+License
+    This file is part of umfsiFoam.
+
+    umfsiFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by
+    the Free Software Foundation, either version 3 of the License, or
+    (at your option) any later version.
+
+    umfsiFoam is distributed in the hope that it will be useful, but WITHOUT
+    ANY WARRANTY; without even the implied warranty of MERCHANTABILITY or
+    FITNESS FOR A PARTICULAR PURPOSE.  See the GNU General Public License
+    for more details.
+
+    You should have received a copy of the GNU General Public License
+    along with umfsiFoam.  If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+
+#include "factorised.H"
+#include "error.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+typedef Eigen::SparseMatrix<double> columnMatrix;
+
+//- Symmetric: its rows are its columns
+static Eigen::Map<const columnMatrix> byColumns(const sparseMatrix& A)
+{
+    return Eigen::Map<const columnMatrix>
+    (
+        A.rows(),
+        A.cols(),
+        A.nonZeros(),
+        A.outerIndexPtr(),
+        A.innerIndexPtr(),
+        A.valuePtr()
+    );
+}
+
+
+//- Sizes of the columns of the factor
+struct analysis
+:
+    public Eigen::SimplicialLDLT<columnMatrix>
+{
+    scalar operations() const
+    {
+        scalar sum = 0;
+        for (label j = 0; j < m_matrix.cols(); ++j)
+        {
+            sum += sqr
+            (
+                scalar
+                (
+                    m_matrix.outerIndexPtr()[j + 1]
+                  - m_matrix.outerIndexPtr()[j]
+                )
+            );
+        }
+
+        return sum;
+    }
+};
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+std::size_t Foam::factorised::minShort = 500000;
+
+constexpr Foam::scalar Foam::factorised::roundOff;
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::factorised::setPanels()
+{
+    // Zeros that a panel may have, of its entries
+    const double maxZeros = 0.15;
+
+    // Strictly lower triangle by columns, rows in ascending order
+    const Eigen::SparseMatrix<double>& L =
+        solver_.matrixL().nestedExpression();
+    const label n = L.cols();
+    const auto* start = L.outerIndexPtr();
+    const auto* row = L.innerIndexPtr();
+    const auto size = [&](const label j) { return start[j + 1] - start[j]; };
+
+    panels_.clear();
+    rows_.clear();
+    values_.clear();
+    singles_.clear();
+
+    for (label first = 0; first < n; first += panels_.back().width)
+    {
+        label last = first;
+        double zeros = 0;
+
+        // A column whose first row is the next column has its rows there
+        while (size(last) > 0 && row[start[last]] == last + 1)
+        {
+            const label width = last - first + 1;
+            const double more =
+                zeros + double(width)*(size(last + 1) + 1 - size(last));
+
+            if (more > maxZeros*(width + 1)*(size(last + 1) + 0.5*width))
+            {
+                break;
+            }
+            zeros = more;
+            ++last;
+        }
+
+        const panel p
+        {
+            first,
+            last - first + 1,
+            label(size(last)),
+            label(rows_.size()),
+            values_.size()
+        };
+        const label height = p.width + p.nRows;
+
+        rows_.insert(rows_.end(), row + start[last], row + start[last + 1]);
+        values_.resize(values_.size() + std::size_t(height)*p.width, 0);
+
+        for (label k = 0; k < p.width; ++k)
+        {
+            double* column = values_.data() + p.value + std::size_t(k)*height;
+            label place = 0;
+
+            for (label e = start[first + k]; e < start[first + k + 1]; ++e)
+            {
+                if (row[e] <= last)
+                {
+                    column[row[e] - first] = L.valuePtr()[e];
+                }
+                else
+                {
+                    while (rows_[p.row + place] != row[e])
+                    {
+                        ++place;
+                    }
+                    column[p.width + place] = L.valuePtr()[e];
+                }
+            }
+        }
+
+        panels_.push_back(p);
+    }
+}
+
+
+template<class Real>
+void Foam::factorised::substitute
+(
+    const std::vector<Real>& values,
+    Eigen::Matrix<Real, Eigen::Dynamic, 1>& x
+) const
+{
+    typedef Eigen::Matrix<Real, Eigen::Dynamic, 1> vectorType;
+    typedef Eigen::Map
+    <
+        const Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>,
+        0,
+        Eigen::OuterStride<>
+    >
+    block;
+
+    vectorType rest;
+
+    // Panel p: its triangle of L, and what is below
+    const auto triangle = [&](const panel& p)
+    {
+        return block
+        (
+            values.data() + p.value,
+            p.width,
+            p.width,
+            Eigen::OuterStride<>(p.width + p.nRows)
+        );
+    };
+    const auto below = [&](const panel& p)
+    {
+        return block
+        (
+            values.data() + p.value + p.width,
+            p.nRows,
+            p.width,
+            Eigen::OuterStride<>(p.width + p.nRows)
+        );
+    };
+
+    for (const panel& p : panels_)
+    {
+        auto own = x.segment(p.first, p.width);
+        const block L(triangle(p));
+
+        for (label k = 0; k + 1 < p.width; ++k)
+        {
+            const label n = p.width - k - 1;
+            own.tail(n) -= own[k]*L.col(k).tail(n);
+        }
+
+        if (p.nRows)
+        {
+            rest.noalias() = below(p)*own;
+            for (label k = 0; k < p.nRows; ++k)
+            {
+                x[rows_[p.row + k]] -= rest[k];
+            }
+        }
+    }
+
+    // Over the largest: single precision has a narrow range
+    x.array() /=
+        (solver_.vectorD()/largest_).template cast<Real>().array();
+
+    for (auto iter = panels_.rbegin(); iter != panels_.rend(); ++iter)
+    {
+        const panel& p = *iter;
+        auto own = x.segment(p.first, p.width);
+        const block L(triangle(p));
+
+        if (p.nRows)
+        {
+            rest.resize(p.nRows);
+            for (label k = 0; k < p.nRows; ++k)
+            {
+                rest[k] = x[rows_[p.row + k]];
+            }
+            own.noalias() -= below(p).transpose()*rest;
+        }
+
+        for (label k = p.width - 2; k >= 0; --k)
+        {
+            const label n = p.width - k - 1;
+            own[k] -= L.col(k).tail(n).dot(own.tail(n));
+        }
+    }
+}
+
+
+void Foam::factorised::tryShort(const sparseMatrix& A)
+{
+    // Double precision, far below any tolerance
+    error_ = 1e-9;
+
+    if (values_.size() < minShort)
+    {
+        return;
+    }
+
+    // Repeatable, without structure
+    Eigen::VectorXd x(A.rows());
+    unsigned long state = 1;
+    for (label i = 0; i < x.size(); ++i)
+    {
+        state = state*6364136223846793005ul + 1442695040888963407ul;
+        x[i] = double(state >> 33)/double(1ul << 31) - 0.5;
+    }
+    x = solve(x);
+    x /= x.norm();
+    x = solve(x);
+    x /= x.norm();
+
+    const Eigen::VectorXd Ax(A*x);
+    singles_.assign(values_.begin(), values_.end());
+
+    const Eigen::VectorXd difference(solve(Ax) - x);
+    const Eigen::VectorXd residual(A*difference);
+    const scalar error =
+        std::sqrt(std::abs(difference.dot(residual)/x.dot(Ax)));
+
+    if (error < roundOff)
+    {
+        error_ = error;
+        std::vector<double>().swap(values_);
+    }
+    else
+    {
+        std::vector<float>().swap(singles_);
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::factorised::factorised()
+:
+    analysed_(false),
+    largest_(1),
+    error_(0)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::scalar Foam::factorised::operations(const sparseMatrix& A)
+{
+    const columnMatrix columns(byColumns(A));
+    analysis a;
+    a.analyzePattern(columns);
+
+    return a.operations();
+}
+
+
+void Foam::factorised::set(const sparseMatrix& A)
+{
+    if (A.rows() == 0)
+    {
+        return;
+    }
+
+    columnMatrix columns(byColumns(A));
+
+    if (!analysed_)
+    {
+        solver_.analyzePattern(columns);
+        analysed_ = true;
+    }
+
+    // A free body at a huge time step is singular to round-off
+    const Eigen::VectorXd diagonal(columns.diagonal());
+
+    for (double shift = 1e-13; shift < 1; shift *= 100)
+    {
+        for (label i = 0; i < columns.rows(); ++i)
+        {
+            columns.coeffRef(i, i) = (1 + shift)*diagonal[i];
+        }
+        solver_.factorize(columns);
+
+        if
+        (
+            solver_.info() == Eigen::Success
+         && solver_.vectorD().minCoeff() > 0
+        )
+        {
+            largest_ = solver_.vectorD().maxCoeff();
+            setPanels();
+            tryShort(A);
+            return;
+        }
+    }
+
+    FatalErrorInFunction
+        << "A matrix of the solids is not positive" << exit(FatalError);
+}
+
+
+Eigen::VectorXd Foam::factorised::solve(const Eigen::VectorXd& b) const
+{
+    if (!b.size())
+    {
+        return b;
+    }
+
+    Eigen::VectorXd x(solver_.permutationP()*b);
+
+    if (singles_.empty())
+    {
+        substitute(values_, x);
+    }
+    else
+    {
+        const double scale = std::max(x.lpNorm<Eigen::Infinity>(), 1e-300);
+        Eigen::VectorXf singles((x/scale).cast<float>());
+        substitute(singles_, singles);
+        x = scale*singles.cast<double>();
+    }
+    x /= largest_;
+
+    return solver_.permutationPinv()*x;
+}
+
+
+// ************************************************************************* //
