@@ -24,9 +24,9 @@ Group
     grpUnifiedMomentum
 
 Description
-    Transient solver for incompressible laminar flow and linear-elastic solids
-    on one mesh, with one momentum equation for both. The mesh is at rest, or
-    the fluid's part of it follows the solid.
+    Transient solver for incompressible laminar flow and elastic solids on one
+    mesh, with one momentum equation for both. The mesh is at rest, or the
+    fluid's part of it follows the solid.
 
     \heading Solver details
     Every cell, fluid or solid, has the equation
@@ -46,9 +46,12 @@ Description
         \quad \mathrm{(solid)}
     \f]
 
+    or, in solids of large strain, minus the first Piola-Kirchhoff stress.
+
     The displacement follows the velocity, D = D* + beta dt U, so the velocity
     is the only kinematic unknown. Velocity and traction are continuous across
-    an interface by construction. Valid for small displacements and strains.
+    an interface by construction. Valid for small displacements of interfaces
+    with a fluid, and small strains of linear solids.
 
     Where:
     \vartable
@@ -99,7 +102,7 @@ int main(int argc, char *argv[])
 {
     argList::addNote
     (
-        "Incompressible laminar flow and linear-elastic solids on one mesh,"
+        "Incompressible laminar flow and elastic solids on one mesh,"
         " with one momentum equation."
     );
 

@@ -63,6 +63,28 @@ namespace Foam
 
         return value;
     }
+
+
+    //- Read a number, fail if it is not between 0 and 1
+    static scalar readFraction
+    (
+        const dictionary& dict,
+        const word& entry,
+        const scalar defaultValue
+    )
+    {
+        const scalar value = dict.getOrDefault<scalar>(entry, defaultValue);
+
+        if (!(value > 0 && value < 1))
+        {
+            FatalIOErrorInFunction(dict)
+                << "Entry '" << entry << "' is " << value << nl
+                << "    Valid choices: between 0 and 1"
+                << exit(FatalIOError);
+        }
+
+        return value;
+    }
 }
 
 
@@ -80,15 +102,7 @@ void Foam::picardControls::checkKrylov(const dictionary& krylov) const
     );
     checkRange(krylov, "solidMaxIter", 10000, 0);
 
-    const scalar solidTolerance =
-        krylov.getOrDefault<scalar>("solidTolerance", 1e-4);
-    if (!(solidTolerance > 0 && solidTolerance < 1))
-    {
-        FatalIOErrorInFunction(krylov)
-            << "Entry 'solidTolerance' is " << solidTolerance << nl
-            << "    Valid choices: between 0 and 1"
-            << exit(FatalIOError);
-    }
+    readFraction(krylov, "solidTolerance", 1e-4);
 
     const word preconditioner
     (
@@ -113,20 +127,15 @@ void Foam::picardControls::readTolerances(const dictionary& control)
 {
     const wordList& names = blockResiduals::names;
 
-    checkEntries(control, names);
+    wordList known(names);
+    known.append("solidIncrement");
+    checkEntries(control, known);
 
     forAll(tolerance_, i)
     {
-        tolerance_[i] = control.getOrDefault<scalar>(names[i], 1e-4);
-
-        if (!(tolerance_[i] > 0 && tolerance_[i] < 1))
-        {
-            FatalIOErrorInFunction(control)
-                << "Entry '" << names[i] << "' is " << tolerance_[i]
-                << nl << "    Valid choices: between 0 and 1"
-                << exit(FatalIOError);
-        }
+        tolerance_[i] = readFraction(control, names[i], 1e-4);
     }
+    solidIncrement_ = readFraction(control, "solidIncrement", 1e-3);
 }
 
 
@@ -135,13 +144,16 @@ void Foam::picardControls::readTolerances(const dictionary& control)
 Foam::picardControls::picardControls
 (
     const fvMesh& mesh,
-    const label defaultOuterCorrectors
+    const label defaultOuterCorrectors,
+    const bool largeStrain
 )
 :
     mesh_(mesh),
+    largeStrain_(largeStrain),
     tolerance_(blockResiduals::nBlocks, 0.0),
-    defaultOuterCorrectors_(defaultOuterCorrectors),
-    nOuterCorrectors_(defaultOuterCorrectors),
+    solidIncrement_(0),
+    defaultOuterCorrectors_(largeStrain ? 20 : defaultOuterCorrectors),
+    nOuterCorrectors_(defaultOuterCorrectors_),
     stopIfNotConverged_(false),
     maxUnconverged_(20)
 {}
@@ -187,6 +199,14 @@ void Foam::picardControls::read()
 
     nOuterCorrectors_ =
         checkRange(pimple, "nOuterCorrectors", defaultOuterCorrectors_, 1);
+    if (largeStrain_ && nOuterCorrectors_ < 2)
+    {
+        FatalIOErrorInFunction(pimple)
+            << "Entry 'nOuterCorrectors' is " << nOuterCorrectors_
+            << ", but solids of large strain need Newton's iterations" << nl
+            << "    Valid choices: 2 and above, or no entry (20)"
+            << exit(FatalIOError);
+    }
     pimple.getOrDefault("momentumPredictor", true);
     checkRange(pimple, "nCorrectors", 3, 1);
     checkRange(pimple, "nNonOrthogonalCorrectors", 0, 0);

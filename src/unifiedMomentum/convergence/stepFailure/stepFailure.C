@@ -190,16 +190,48 @@ void Foam::stepFailure::checkDiagonal() const
 }
 
 
+void Foam::stepFailure::checkInsideOut(const newtonIteration& newton) const
+{
+    if (!newton.insideOut())
+    {
+        return;
+    }
+
+    const finiteStrain& strain = newton.strain();
+
+    cellPlace place;
+    if (strain.leastJCell() >= 0)
+    {
+        place = cellPlace(mesh_, strain.leastJCell(), -strain.leastJ());
+    }
+    place.reduce();
+
+    FatalErrorInFunction
+        << "Cells of a solid are inside out, det(I + grad(D)) <= 0, at time "
+        << mesh_.time().timeName() << nl
+        << "    Most in " << place.text().c_str() << nl
+        << nothingWritten << nl
+        << "    Look at the last of them there. If the load is as it should"
+        << " be: smaller time" << nl
+        << "    step; in strong compression type neoHookean in place of"
+        << " StVenantKirchhoff"
+        << exit(FatalError);
+}
+
+
 void Foam::stepFailure::checkConverged
 (
     const unifiedVector& r,
-    const label nSweeps
+    const label nSweeps,
+    const scalar increment
 )
 {
     const wordList& names = blockResiduals::names;
     const scalarList& relative = residuals_.relative();
 
-    if (controls_.passes(relative))
+    const bool moves = increment > controls_.solidIncrement();
+
+    if (controls_.passes(relative) && !moves)
     {
         nUnconverged_ = 0;
         return;
@@ -219,6 +251,13 @@ void Foam::stepFailure::checkConverged
                 << ' ' << names[i] << ' ' << relative[i] << " > "
                 << controls_.tolerance()[i];
         }
+    }
+
+    if (moves)
+    {
+        which
+            << " solidIncrement " << increment << " > "
+            << controls_.solidIncrement();
     }
 
     const label worst = findMax(relative);

@@ -107,7 +107,12 @@ void Foam::solidSolver::conjugateGradients
         if (!(dy > 0))
         {
             // Not an elastic solid with inertia: a source of fvOptions
-            // that makes velocities grow. Left to the method outside
+            // that makes velocities grow; or large compression, beyond which
+            // it buckles. Left to the method outside
+            if (nIterations == 0)
+            {
+                x_ = d_;
+            }
             break;
         }
         const scalar alpha = rs/dy;

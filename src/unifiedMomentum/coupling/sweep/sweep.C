@@ -561,6 +561,10 @@ void Foam::sweep::update()
 
         betaDt_ = op_.flux().betaDt();
     }
+    else if (solidZone_.valid())
+    {
+        solid_.reshape();
+    }
 
     if (fluidZone_.valid())
     {

@@ -41,11 +41,6 @@ namespace Foam
         "    The equations and the mesh are those of small displacements:"
         " README, Limits. This is\n"
         "    said once.";
-
-    static const char* const smallStrains =
-        "    The equations of solids are those of small strains and rotations:"
-        " README, Limits. This is\n"
-        "    said once.";
 }
 
 
@@ -322,7 +317,7 @@ void Foam::validityCheck::checkStep
     {
         const scalar here = magSqr(gradD[celli]);
 
-        if (here > gradient2)
+        if (here > gradient2 && !materials[celli].largeStrain())
         {
             gradient2 = here;
             gradientCell = celli;
@@ -361,7 +356,13 @@ void Foam::validityCheck::checkStep
         cellPlace place;
         if (gradientCell >= 0)
         {
-            place = cellPlace(mesh, gradientCell, gradient);
+            const tensor G(scale*gradD[gradientCell]);
+            const scalar degrees = 180/constant::mathematical::pi;
+
+            OStringStream more;
+            more<< ": strain " << mag(symm(G)) << ", rotation "
+                << degrees*mag(skew(G))/sqrt(scalar(2)) << " degrees";
+            place = cellPlace(mesh, gradientCell, gradient, more.str());
         }
         place.reduce();
 
@@ -369,7 +370,8 @@ void Foam::validityCheck::checkStep
             << "At time " << mesh.time().timeName() << " the gradient of D"
             << " (strain, rotation) is " << largest.y() << ", above "
             << largestGradient << nl << "        " << place.text().c_str()
-            << nl << (geometry_.moves() ? smallStrains : saidOnce) << endl;
+            << nl << "    Solids of type linearElastic do not bear that, those"
+            << " of type StVenantKirchhoff do" << nl << saidOnce << endl;
     }
 
     displacement_ = max(displacement_, largest.x());
@@ -386,8 +388,18 @@ void Foam::validityCheck::report() const
         return;
     }
 
-    Info<< nl << "Largest gradient of D: " << gradient_
-        << ", displacement across an interface: " << displacement_
+    bool small = false;
+    for (const material& m : geometry_.materials().materials())
+    {
+        small = small || (m.solid() && !m.largeStrain());
+    }
+
+    Info<< nl << "Largest ";
+    if (small)
+    {
+        Info<< "gradient of D: " << gradient_ << ", ";
+    }
+    Info<< "displacement across an interface: " << displacement_
         << " of the fluid's cell" << (geometry_.moves() ? ", which follows" : "")
         << endl;
 }

@@ -95,6 +95,27 @@ Foam::scalar Foam::material::readAbove
 }
 
 
+Foam::scalar Foam::material::readPoisson
+(
+    const dictionary& dict
+)
+{
+    const scalar nu = dict.get<scalar>("nu");
+
+    if (!(nu > -1 && nu < 0.5))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'nu' of material " << dict.dictName()
+            << " is " << nu << nl
+            << "    Valid choices: -1 < nu < 0.5 (an incompressible solid,"
+            << " nu = 0.5, is not covered by this law)"
+            << exit(FatalIOError);
+    }
+
+    return nu;
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::material::material

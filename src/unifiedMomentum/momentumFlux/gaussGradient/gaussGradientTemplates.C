@@ -68,10 +68,20 @@ template<class Type>
 void Foam::gaussGradient<Type>::link
 (
     const label facei,
-    const tensor& dG,
+    const tensor& GP,
+    const tensor& GN,
     vector& uf
 )
 {
+    if (finiteLinks_)
+    {
+        scalar* rotation = links_->twists() ? &rotation_[facei] : nullptr;
+        uf += finiteLinks_->value(facei, GP, GN, rotation);
+
+        return;
+    }
+
+    const tensor dG(GN - GP);
     uf += links_->value(facei, dG);
 
     if (links_->twists())
@@ -105,7 +115,7 @@ void Foam::gaussGradient<Type>::correct
 
     if (links_)
     {
-        link(facei, GN - GP, uf);
+        link(facei, GP, GN, uf);
     }
 }
 
@@ -184,13 +194,15 @@ Foam::gaussGradient<Type>::gaussGradient
 (
     const fluxGeometry& geometry,
     const bool solid,
-    const faceLinks* links
+    const faceLinks* links,
+    finiteLinks* linksOfLargeStrain
 )
 :
     geometry_(geometry),
     solid_(solid),
     zone_(geometry.cellsAndFaces(solid)),
     links_(links && links->active() ? links : nullptr),
+    finiteLinks_(links_ ? linksOfLargeStrain : nullptr),
     twoStages_(geometry.skewed(solid) || links_),
     cellGrad_(twoStages_ ? geometry.mesh().nCells() : 0, Zero),
     faceGrad_(geometry.warped(solid) ? geometry.mesh().nFaces() : 0, Zero),

@@ -547,6 +547,7 @@ void Foam::momentumFlux::evaluateSolid
     const fluxGeometry::zone& solid = geometry_.cellsAndFaces(true);
 
     setFaceVelocities(z, true, !offset, offset, vSolid_);
+    solidStress_.setTangent(!offset);
 
     if (offset)
     {
@@ -863,10 +864,8 @@ Foam::scalar Foam::momentumFlux::elasticEnergy
     vectorField& Df
 )
 {
-    solidStress_.interpolate(D, Df);
-
     // The stiffness of solidStress_ is times beta dt
-    return solidStress_.energy(D)/betaDt_;
+    return solidStress_.energy(D, Df)/betaDt_;
 }
 
 

@@ -25,6 +25,12 @@ License
 
 void Foam::stressFlux::jumpForces(const vectorField& u)
 {
+    if (finite_.active())
+    {
+        finiteJumpForces(u);
+        return;
+    }
+
     const fvMesh& mesh = geometry_.mesh();
     const labelUList& own = mesh.faceOwner();
     const labelUList& nei = mesh.faceNeighbour();
@@ -184,7 +190,14 @@ Foam::stressFlux::stressFlux(const fluxGeometry& geometry, const bool solid)
     lambda_(mu_.size()),
     links_(geometry, solid),
     stiffness_(geometry, links_),
-    gradient_(geometry, solid, &links_),
+    finite_(geometry, solid),
+    finiteLinks_
+    (
+        finite_.active() && links_.active()
+      ? new finiteLinks(links_, finite_)
+      : nullptr
+    ),
+    gradient_(geometry, solid, &links_, finiteLinks_.get()),
     uf_(geometry.mesh().nFaces(), Zero),
     grad_(geometry.mesh().nCells(), Zero),
     stress_(grad_),
@@ -210,6 +223,7 @@ void Foam::stressFlux::setFactor(const scalar factor)
     }
 
     stiffness_.set(mu_, lambda_);
+    finite_.setScale(factor);
 }
 
 
@@ -247,8 +261,23 @@ void Foam::stressFlux::addInsideForces
 }
 
 
-Foam::scalar Foam::stressFlux::energy(const vectorField& u)
+Foam::scalar Foam::stressFlux::energy(const vectorField& u, vectorField& uf)
 {
+    if (finite_.active())
+    {
+        // u is what the stiffness resists
+        const scalar factor = finite_.scale();
+        finite_.setScale(1);
+        finite_.setTangent(false);
+        interpolate(u, uf);
+        jumpForces(u);
+        finite_.setScale(factor);
+
+        return 0.5*(twiceFiniteEnergy() + twiceTwistEnergy());
+    }
+
+    interpolate(u, uf);
+
     const labelUList& own = geometry_.mesh().faceOwner();
     const labelUList& nei = geometry_.mesh().faceNeighbour();
 
@@ -262,7 +291,11 @@ Foam::scalar Foam::stressFlux::energy(const vectorField& u)
         twice += geometry_.V()[celli]*(stress_[celli] && grad_[celli]);
     }
 
-    for (const labelList& faces : {zone_.internal, zone_.coupled, zone_.ownSides})
+    for
+    (
+        const labelList& faces
+      : {zone_.internal, zone_.coupled, zone_.ownSides}
+    )
     {
         for (const label facei : faces)
         {
@@ -277,20 +310,7 @@ Foam::scalar Foam::stressFlux::energy(const vectorField& u)
         }
     }
 
-    if (links_.twists())
-    {
-        for (const label facei : zone_.internal)
-        {
-            twice += twistMoment(facei)*gradient_.rotation()[facei];
-        }
-        for (const label facei : zone_.coupled)
-        {
-            // The other half belongs to the other side
-            twice += 0.5*twistMoment(facei)*gradient_.rotation()[facei];
-        }
-    }
-
-    return 0.5*twice;
+    return 0.5*(twice + twiceTwistEnergy());
 }
 
 

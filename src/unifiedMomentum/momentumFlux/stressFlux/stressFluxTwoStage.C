@@ -59,6 +59,40 @@ Foam::tensor Foam::stressFlux::skewAdjoint
 }
 
 
+void Foam::stressFlux::addLinkAdjoint
+(
+    const label facei,
+    const vector& R,
+    tensor& QP,
+    tensor* QN
+)
+{
+    const scalar moment = twistMoment(facei);
+
+    if (finiteLinks_.valid())
+    {
+        tensor qP, qN;
+        finiteLinks_->adjoint(facei, R, moment, qP, qN);
+
+        QP += qP;
+        if (QN)
+        {
+            *QN += qN;
+        }
+
+        return;
+    }
+
+    const tensor q(links_.adjoint(facei, R, moment));
+
+    QP -= q;
+    if (QN)
+    {
+        *QN += q;
+    }
+}
+
+
 void Foam::stressFlux::setAdjoint()
 {
     const fvMesh& mesh = geometry_.mesh();
@@ -91,9 +125,7 @@ void Foam::stressFlux::setAdjoint()
         }
         if (linked)
         {
-            const tensor q(links_.adjoint(facei, R, twistMoment(facei)));
-            Q[P] -= q;
-            Q[N] += q;
+            addLinkAdjoint(facei, R, Q[P], &Q[N]);
         }
     }
 
@@ -126,7 +158,7 @@ void Foam::stressFlux::setAdjoint()
             }
             if (linked)
             {
-                Q[P] -= links_.adjoint(facei, R, twistMoment(facei));
+                addLinkAdjoint(facei, R, Q[P], nullptr);
             }
         }
     }
@@ -141,7 +173,14 @@ void Foam::stressFlux::setAdjoint()
         }
         if (linked)
         {
-            Q[own[facei]] -= links_.adjoint(facei, R, 0);
+            if (finiteLinks_.valid())
+            {
+                Q[own[facei]] += finiteLinks_->mirroredAdjoint(facei, R);
+            }
+            else
+            {
+                Q[own[facei]] -= links_.adjoint(facei, R, 0);
+            }
         }
     }
 

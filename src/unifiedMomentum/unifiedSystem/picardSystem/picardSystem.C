@@ -46,6 +46,7 @@ Foam::picardSystem::picardSystem
     r_(z_),
     controls_(controls),
     residuals_(sweep_, flux.geometry()),
+    newton_(flux),
     failure_(flux.geometry(), sweep_, controls, residuals_),
     nSweeps_(0)
 {
@@ -73,6 +74,7 @@ void Foam::picardSystem::start(const unifiedFields& fields)
     fields.toUnknowns(op_.geometry(), 1, zOld_);
     z_ = zOld_;
     nSweeps_ = 0;
+    newton_.start(fields.D().oldTime(), fields.Df().oldTime());
 }
 
 
@@ -107,11 +109,44 @@ void Foam::picardSystem::takeIfBetter(const unifiedVector& z)
     (
         returnReduce(localDot(r, r), sumOp<scalar>())
       < returnReduce(localDot(r_, r_), sumOp<scalar>())
+     && !newton_.insideOut()
     )
     {
         z_ = z;
         r_ = r;
     }
+    else if (newton_.active())
+    {
+        // The tangent is that of the last residual
+        updateResidual();
+    }
+}
+
+
+void Foam::picardSystem::takeRestIfBetter()
+{
+    if (!newton_.active())
+    {
+        return;
+    }
+
+    const fluxGeometry::zone& solid = op_.geometry().cellsAndFaces(true);
+    unifiedVector rest(z_);
+
+    UIndirectList<vector>(rest.U, solid.cells) = vector::zero;
+    for (const labelList& sides : {solid.ownSides, solid.neiSides})
+    {
+        for (const label facei : sides)
+        {
+            const label i = op_.geometry().unknownIndex()[facei];
+            if (i >= 0)
+            {
+                rest.Uf[i] = Zero;
+            }
+        }
+    }
+
+    takeIfBetter(rest);
 }
 
 
@@ -119,15 +154,22 @@ bool Foam::picardSystem::passes()
 {
     residuals_.update(zOld_, z_, r_);
 
-    return controls_.passes(residuals_.relative());
+    return
+        controls_.passes(residuals_.relative())
+     && newton_.increment() <= controls_.solidIncrement();
 }
 
 
 void Foam::picardSystem::solve()
 {
+    newton_.prepare(z_);
+
     // The residual that the Krylov method updates drifts from the true one by
-    // round-off; where that matters, it is started again
-    for (label start = 0; start < 3; ++start)
+    // round-off; where that matters, it is started again. Where it is not
+    // linear, the next Picard iteration does that
+    const label nStarts = newton_.active() ? 1 : 3;
+
+    for (label start = 0; start < nStarts; ++start)
     {
         residuals_.weigh(zOld_, z_, r_);
         failure_.checkFinite(r_);
@@ -156,6 +198,12 @@ void Foam::picardSystem::solve()
             break;
         }
     }
+
+    while (newton_.halve(z_))
+    {
+        updateResidual();
+    }
+    newton_.finish(zOld_, z_, known_.D);
 }
 
 
@@ -163,7 +211,8 @@ void Foam::picardSystem::checkStep()
 {
     residuals_.update(zOld_, z_, r_);
     failure_.checkFinite(r_);
-    failure_.checkConverged(r_, nSweeps_);
+    failure_.checkInsideOut(newton_);
+    failure_.checkConverged(r_, nSweeps_, newton_.increment());
 }
 
 

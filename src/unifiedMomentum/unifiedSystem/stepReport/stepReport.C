@@ -40,7 +40,8 @@ void Foam::stepReport::write
     const scalar courantNumber,
     const label nPicard,
     const label nSweeps,
-    const scalarList& relative
+    const scalarList& relative,
+    const scalar increment
 ) const
 {
     const scalar start = time_.startTime().value();
@@ -60,6 +61,11 @@ void Foam::stepReport::write
     forAll(relative, i)
     {
         line<< "  " << blockResiduals::names[i] << ' ' << relative[i];
+    }
+
+    if (increment >= 0)
+    {
+        line<< "  solidIncrement " << increment;
     }
 
     line

@@ -179,6 +179,7 @@ void Foam::unifiedSystem::extrapolate()
 
     // An extrapolation over a sudden change would start further off
     system_.takeIfBetter(z);
+    system_.takeRestIfBetter();
 }
 
 
@@ -202,7 +203,8 @@ Foam::unifiedSystem::unifiedSystem(fvMesh& mesh)
     (
         mesh,
         motion_ && motion_->implicit()
-      ? meshMotion::defaultOuterCorrectors : 1
+      ? meshMotion::defaultOuterCorrectors : 1,
+        flux_.strain().active()
     ),
     system_(flux_, controls_),
     time_(fields_, flux_.geometry()),
@@ -216,6 +218,12 @@ Foam::unifiedSystem::unifiedSystem(fvMesh& mesh)
     time_.check();
     scheme_.check();
     controls_.read();
+    if (flux_.strain().active())
+    {
+        Info<< "Solids of large strain: Newton's method, up to "
+            << controls_.nOuterCorrectors() << " Picard iterations in a time"
+            << " step" << endl;
+    }
     fieldCheck::check(fields_);
     patchCheck::check(fields_);
 
@@ -373,7 +381,8 @@ void Foam::unifiedSystem::report() const
         time_.courantNumber(),
         picard_,
         system_.nSweeps(),
-        system_.relative()
+        system_.relative(),
+        system_.increment()
     );
 }
 

@@ -345,6 +345,95 @@ static void testExact
 }
 
 
+//- Two solids of large strain that have turned together, orthogonal cells: the
+//  inverse of the tangent, for the shape at the start of the step only
+static void testTurned(const Time& runTime, const label nD)
+{
+    const string name(Foam::name(nD) + "-D, turned by 70 degrees");
+    const polyhedra cells
+    (
+        hexes
+        (
+            graded(0, 1, 6, 1.2),
+            graded(0, 1, 7, 0.9),
+            uniform(0, 0.6, nD == 2 ? 1 : 5)
+        )
+    );
+    const autoPtr<fvMesh> mesh
+    (
+        boxMesh
+        (
+            runTime,
+            cells,
+            cells.points,
+            [](const point& x)
+            {
+                return word(x.x() < 0.5 || x.y() < 0.5 ? "steel" : "rubber");
+            }
+        )
+    );
+    const string rest("rho 7; nu 0.3; faceStiffness lockingFree;");
+    writeMaterials
+    (
+        runTime,
+        "steel { type StVenantKirchhoff; cellZones (steel); E 5; " + rest
+      + "} rubber { type neoHookean; cellZones (rubber); E 2; " + rest + "}"
+    );
+
+    const scalar betaDt = 0.7;
+    solids s(mesh(), freePatches, betaDt);
+
+    const vector axis(nD == 2 ? vector(0, 0, 1) : vector(2, -1, 2)/3);
+    const scalar angle = 70*constant::mathematical::pi/180;
+    const auto displacement = [&](const point& x)
+    {
+        const vector across(axis ^ x);
+        return vector
+        (
+            Foam::sin(angle)*across
+          + (1 - Foam::cos(angle))*(axis ^ across)
+        );
+    };
+
+    vectorField D(mesh->nCells());
+    vectorField Df(mesh->nFaces());
+    unifiedVector v(s.zero());
+    momentumFlux::displacementVelocity none
+    {
+        vectorField(mesh->nCells(), Zero), vectorField(mesh->nFaces(), Zero)
+    };
+    forAll(D, celli)
+    {
+        D[celli] = displacement(mesh->cellCentres()[celli]);
+        v.U[celli] = D[celli]/betaDt;
+    }
+    forAll(Df, facei)
+    {
+        Df[facei] = displacement(mesh->faceCentres()[facei]);
+    }
+    forAll(v.Uf, i)
+    {
+        v.Uf[i] = Df[s.flux.geometry().unknownFaces()[i]]/betaDt;
+    }
+    vectorField force(mesh->nCells(), Zero);
+    s.flux.evaluateSolid(v, &none, force);
+
+    testing::random next;
+    const unifiedVector x(s.randomVelocity(next));
+    const auto error = [&]()
+    {
+        unifiedVector e(s.solve(s.A(x)));
+        e.add(-1, x);
+        return s.norm(e)/s.norm(x);
+    };
+
+    check(error() > 0.1, name + ": the matrix at rest is another");
+    s.flux.strain().setShape(D, Df);
+    s.M->reshape();
+    checkSmall(error(), 1e-8, name + ": inverse of the tangent");
+}
+
+
 //- Perturbed so that faces are skew and warped
 static autoPtr<fvMesh> body
 (
@@ -541,6 +630,9 @@ int main()
             }
         }
     }
+
+    testTurned(runTime(), 2);
+    testTurned(runTime(), 3);
 
     for
     (

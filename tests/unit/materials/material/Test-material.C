@@ -154,6 +154,81 @@ static void testSolid()
 }
 
 
+//- Cauchy stress of simple stretches and shears, by formulas on paper
+static void testLargeStrain()
+{
+    // G = 1, lambda = 1.5
+    const string data("; cellZones (a); rho 2; E 2.6; nu 0.3;");
+    const autoPtr<material> svk(select("type StVenantKirchhoff" + data));
+    const autoPtr<material> neo(select("type neoHookean" + data));
+
+    for (const material* m : {&svk(), &neo()})
+    {
+        check(m->solid(), m->type() + ": solid");
+        checkNear(m->shear(), 1, 1e-15, m->type() + ": G");
+        checkNear(m->lambda(), 1.5, 1e-14, m->type() + ": lambda");
+        check
+        (
+            m->faceStiffness() == material::LINKED,
+            m->type() + ": faces are linked unless told"
+        );
+
+        // Small strains, symmetric: Hooke's law
+        const tensor small(1, 2, 3, 2, 5, -1, 3, -1, 9);
+        checkSmall
+        (
+            mag
+            (
+                1e7*m->stress(1e-7*small)
+              - symmTensor(24.5, 4, 6, 32.5, -2, 40.5)
+            )/40,
+            1e-5,
+            m->type() + ": Hooke's law at small strain"
+        );
+    }
+
+    // Stretch by s along x: S = (3.5, 1.5, 1.5) e, sigma_xx = S_xx s,
+    // sigma_yy = S_yy/s, e = (s^2 - 1)/2; s = 2: e = 1.5
+    checkStress
+    (
+        svk(),
+        tensor(1, 0, 0, 0, 0, 0, 0, 0, 0),
+        symmTensor(2*3.5*1.5, 0, 0, 0.5*1.5*1.5, 0, 0.5*1.5*1.5),
+        "StVenantKirchhoff, stretched"
+    );
+
+    // J sigma = mu (b - I) + lambda ln J I
+    const scalar l = 1.5*Foam::log(2.0);
+    checkStress
+    (
+        neo(),
+        tensor(1, 0, 0, 0, 0, 0, 0, 0, 0),
+        0.5*symmTensor(3 + l, 0, 0, l, 0, l),
+        "neoHookean, stretched"
+    );
+
+    // D = (g y, 0, 0), g = 0.5: b - I = (g^2, g; g, 0)
+    checkStress
+    (
+        neo(),
+        tensor(0, 0, 0, 0.5, 0, 0, 0, 0, 0),
+        symmTensor(0.25, 0.5, 0, 0, 0, 0),
+        "neoHookean, sheared"
+    );
+
+    // E = (0, g; g, g^2)/2, S = lambda g^2/2 + 2 E, sigma = F.S.F^T
+    const scalar p = 1.5*0.125;
+    const scalar Syy = p + 0.25;
+    checkStress
+    (
+        svk(),
+        tensor(0, 0, 0, 0.5, 0, 0, 0, 0, 0),
+        symmTensor(p + 0.5 + 0.25*Syy, 0.5 + 0.5*Syy, 0, Syy, 0, p),
+        "StVenantKirchhoff, sheared"
+    );
+}
+
+
 static void testErrors()
 {
     const auto refused = [](const string& entries, const string& words)
@@ -184,6 +259,22 @@ static void testErrors()
     refused(solid + "rho 1; E 1; nu 0; faceStiffness soft;", "lockingFree");
     refused(solid + "rho 1; E 1; nu 0; faceStiffness soft;", "linked");
     refused(fluid + "rho 1; mu 1; faceStiffness linked;", "does not bend");
+
+    for (const string law : {"StVenantKirchhoff", "neoHookean"})
+    {
+        const string large("type " + law + "; cellZones (a); rho 1; ");
+
+        refused(large + "nu 0.3;", "E");
+        refused(large + "E 1; nu 0.5;", "'nu'");
+        refused(large + "E 1; nu 0; mu 1;", "'mu'");
+        refused(large + "E 1; nu 0; faceStiffness compact;", "linked");
+        checkThrows
+        (
+            [&]() { select(large + "E 1; nu 0;", material::PLANE_STRESS); },
+            "planeStrain",
+            "plane stress is refused by " + law
+        );
+    }
 }
 
 
@@ -193,6 +284,7 @@ int main()
 {
     testFluid();
     testSolid();
+    testLargeStrain();
     testErrors();
 
     return close();

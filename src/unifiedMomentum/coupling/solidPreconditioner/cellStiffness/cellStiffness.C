@@ -111,7 +111,41 @@ Foam::cellStiffness::velocity Foam::cellStiffness::beyond
         }
     }
 
+    if (shape_ && stress_.finite().in(celli))
+    {
+        v.x += displaced(celli, facei);
+    }
+
     return v;
+}
+
+
+Foam::vector Foam::cellStiffness::displaced
+(
+    const label celli,
+    const label facei
+) const
+{
+    const fluxGeometry& geometry = nodes_.geometry();
+    const fvMesh& mesh = geometry.mesh();
+    const vectorField& D = shape_->cells;
+
+    if (geometry.kind(facei) == fluxGeometry::SYMMETRY)
+    {
+        return geometry.tangential(facei, D[celli]) - D[celli];
+    }
+    else if (geometry.kind(facei) != fluxGeometry::INSIDE)
+    {
+        return shape_->faces[facei] - D[celli];
+    }
+    else if (!mesh.isInternalFace(facei))
+    {
+        return displacedBeyond_[facei - mesh.nInternalFaces()] - D[celli];
+    }
+
+    const label own = mesh.faceOwner()[facei];
+
+    return D[own == celli ? mesh.faceNeighbour()[facei] : own] - D[celli];
 }
 
 
@@ -142,6 +176,7 @@ void Foam::cellStiffness::addFace(const label celli, const label facei)
         side
         {
             facei,
+            owner,
             velocities_.size(),
             w,
             stress_.stiffness().of(facei, owner)
@@ -154,7 +189,7 @@ void Foam::cellStiffness::addFace(const label celli, const label facei)
 }
 
 
-void Foam::cellStiffness::correctGradient()
+Foam::tensor Foam::cellStiffness::positionGradient() const
 {
     // Directions that empty patches remove
     tensor B(tensor::I);
@@ -168,6 +203,34 @@ void Foam::cellStiffness::correctGradient()
         B += v.g*v.x;
     }
 
+    return B;
+}
+
+
+void Foam::cellStiffness::takeShape(const label celli)
+{
+    FT_ = tensor::I;
+
+    if (shape_ && stress_.finite().in(celli))
+    {
+        const faceStiffness& A = stress_.stiffness();
+        FT_ = positionGradient();
+
+        for (side& s : sides_)
+        {
+            const vector e(A.axis(s.facei, s.owner) & FT_);
+
+            s.A =
+                A.across(s.facei, s.owner)*symmTensor::I
+              + A.along(s.facei, s.owner)*sqr(e);
+        }
+    }
+}
+
+
+void Foam::cellStiffness::correctGradient()
+{
+    const tensor B(positionGradient());
     const tensor invB(inv(B));
     for (velocity& v : velocities_)
     {
@@ -208,7 +271,7 @@ void Foam::cellStiffness::softenVolume(const label celli)
         if (geometry.kind(facei) == fluxGeometry::INSIDE)
         {
             skewness +=
-                mag(geometry.mesh().faceAreas()[facei])
+                mag(geometry.S(true)[facei])
                *mag(geometry.skew()[facei])/V_;
         }
     }
@@ -223,12 +286,21 @@ Foam::cellStiffness::cellStiffness
 (
     const solidNodes& nodes,
     const stressFlux& stress,
-    const bool withLinks
+    const bool withLinks,
+    const finiteStrain::shape* shape
 )
 :
     nodes_(nodes),
     stress_(stress),
     withLinks_(withLinks && stress.links().active()),
+    shape_(shape),
+    displacedBeyond_
+    (
+        shape
+      ? nodes.geometry().neighbourValues(shape->cells)
+      : tmp<vectorField>(new vectorField())
+    ),
+    FT_(tensor::I),
     V_(0),
     mu_(0),
     lambda_(0),
@@ -262,6 +334,8 @@ Foam::cellStiffness::set(const label celli)
             addFace(celli, facei);
         }
     }
+
+    takeShape(celli);
 
     if (geometry.skewed(true))
     {

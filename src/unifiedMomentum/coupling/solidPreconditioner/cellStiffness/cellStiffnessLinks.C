@@ -105,7 +105,11 @@ bool Foam::cellStiffness::addGradient
         {
             vector unit(Zero);
             unit[k] = 1;
-            const vector value(stress_.links().value(facei, g*unit));
+
+            // In the cell's shape, see finiteLinks
+            const tensor dG(FT_ & tensor(g*unit));
+            const tensor F(FT_.T());
+            const vector value(stress_.links().value(facei, dG & F) & FT_);
             weight(0, k) = value.x();
             weight(1, k) = value.y();
             weight(2, k) = value.z();

@@ -64,6 +64,23 @@ Eigen::MatrixXd Foam::rigidBodyModes::modes() const
     centre /= max(volume, VSMALL);
 
     points -= centre;
+
+    for (const label celli : geometry.cellsAndFaces(true).cells)
+    {
+        if (shape_.cells.size())
+        {
+            points[nodes_.ofCell(celli)] += shape_.cells[celli];
+        }
+    }
+    forAll(geometry.unknownFaces(), i)
+    {
+        if (shape_.faces.size() && nodes_.ofFace(i) >= 0)
+        {
+            points[nodes_.ofFace(i)] +=
+                shape_.faces[geometry.unknownFaces()[i]];
+        }
+    }
+
     const scalar length = points.empty() ? 1 : sqrt(average(magSqr(points)));
     points /= max(length, VSMALL);
 
@@ -226,10 +243,11 @@ void Foam::rigidBodyModes::setError()
       : own_.valid() ? own_().error()
       : coarse_().error();
 
-    // Where the matrix is not that of the operator by construction
+    // Where the matrix is not that of the operator by construction, or not of
+    // the one at the next state
     if
     (
-        nodes_.geometry().skewed(true)
+        nodes_.geometry().skewed(true) || op_.flux().strain().active()
      || returnReduce(error_, maxOp<scalar>()) > 1
     )
     {
@@ -266,6 +284,51 @@ void Foam::rigidBodyModes::setError()
 }
 
 
+bool Foam::rigidBodyModes::takeShape()
+{
+    const fluxGeometry& geometry = nodes_.geometry();
+    const finiteStrain::shape& shape = op_.flux().strain().startShape();
+    const Time& time = geometry.mesh().time();
+
+    if (shape.cells.empty() || time.timeIndex() == timeIndex_)
+    {
+        return false;
+    }
+
+    const bool afterWritten = written_;
+    timeIndex_ = time.timeIndex();
+    written_ = time.writeTime();
+
+    // Change of the way between the centres of neighbours over its length
+    scalar turned = 0;
+    if (shape_.cells.size())
+    {
+        for (const label facei : geometry.cellsAndFaces(true).internal)
+        {
+            const label own = geometry.mesh().faceOwner()[facei];
+            const label nei = geometry.mesh().faceNeighbour()[facei];
+            const vector change
+            (
+                (shape.cells[nei] - shape_.cells[nei])
+              - (shape.cells[own] - shape_.cells[own])
+            );
+            const vector d(geometry.dOwn()[facei] - geometry.dNei()[facei]);
+
+            turned = max(turned, magSqr(change)/magSqr(d));
+        }
+    }
+
+    if (!afterWritten && returnReduce(turned, maxOp<scalar>()) < sqr(0.1))
+    {
+        return false;
+    }
+
+    shape_ = shape;
+
+    return true;
+}
+
+
 void Foam::rigidBodyModes::setUp()
 {
     const label nCells = nodes_.geometry().mesh().nCells();
@@ -285,7 +348,13 @@ void Foam::rigidBodyModes::setUp()
 
     stiffness_.reset
     (
-        new solidStiffness(nodes_, stress, whole || most <= maxDirect)
+        new solidStiffness
+        (
+            nodes_,
+            stress,
+            whole || most <= maxDirect,
+            shape_.cells.size() ? &shape_ : nullptr
+        )
     );
     smoother_.reset(new operatorSmoother(op_, faces_, stiffness_()));
 
@@ -344,6 +413,8 @@ Foam::rigidBodyModes::rigidBodyModes(unifiedOperator& op, const faces& f)
 :
     solidPreconditioner(op, f),
     nodes_(op.geometry()),
+    timeIndex_(-1),
+    written_(true),
     error_(GREAT),
     correction_(op.geometry().mesh().nCells(), f.weight.size())
 {}
@@ -353,7 +424,7 @@ Foam::rigidBodyModes::rigidBodyModes(unifiedOperator& op, const faces& f)
 
 void Foam::rigidBodyModes::update()
 {
-    if (!stiffness_.valid())
+    if (takeShape() || !stiffness_.valid())
     {
         setUp();
     }

@@ -295,12 +295,13 @@ Foam::solidStiffness::solidStiffness
 (
     const solidNodes& nodes,
     const stressFlux& stress,
-    const bool withLinks
+    const bool withLinks,
+    const finiteStrain::shape* shape
 )
 :
     nodes_(nodes)
 {
-    cellStiffness cell(nodes, stress, withLinks);
+    cellStiffness cell(nodes, stress, withLinks, shape);
 
     setPattern(cell);
     setValues(cell);
