@@ -34,20 +34,31 @@ void Foam::startFields::interpolateVelocity()
     const labelUList& own = mesh.faceOwner();
     const volVectorField& U = fields_.U();
     const vectorField UN(geometry_.neighbourValues(U.primitiveField()));
+    const scalarField& rho = fields_.rho();
+    const scalarField rhoN(geometry_.neighbourValues(rho));
 
     for (const label facei : geometry_.unknownFaces())
     {
         if (geometry_.kind(facei) == fluxGeometry::INTERFACE)
         {
-            const scalar hP = geometry_.hOwn()[facei];
-            const scalar hN = geometry_.hNei()[facei];
+            const scalar inertiaP =
+                rho[own[facei]]/geometry_.hOwn()[facei];
+            const scalar inertiaN =
+                (
+                    mesh.isInternalFace(facei)
+                  ? rho[mesh.faceNeighbour()[facei]]
+                  : rhoN[facei - mesh.nInternalFaces()]
+                )/geometry_.hNei()[facei];
             const vector& uN =
                 mesh.isInternalFace(facei)
               ? U[mesh.faceNeighbour()[facei]]
               : UN[facei - mesh.nInternalFaces()];
 
+            // A flow that starts at once along a heavy solid at rest does not
+            // move it: a guess for the first step, which a mesh that moves and
+            // Newton's method need
             faceValue(fields_.Uf(), facei) =
-                (hN*U[own[facei]] + hP*uN)/(hP + hN);
+                (inertiaP*U[own[facei]] + inertiaN*uN)/(inertiaP + inertiaN);
         }
         else
         {

@@ -242,7 +242,8 @@ void Foam::meshMotion::start
     if (implicit_)
     {
         Info<< "    It moves in every Picard iteration: nOuterCorrectors is "
-            << defaultOuterCorrectors << " by default" << nl;
+            << defaultOuterCorrectors << " by default, more with solids of"
+            << " large strain" << nl;
     }
     Info<< endl;
 
