@@ -603,12 +603,17 @@ void Foam::sweep::tryOut()
 
 void Foam::sweep::apply(const unifiedVector& r, unifiedVector& dz)
 {
+    const dictionary krylov(controls().subOrEmptyDict("krylov"));
+
     dz.setZero();
 
-    if (fluidZone_.valid())
+    if (!fluidZone_.valid())
     {
-        applyFluid(r, dz);
+        solid_.solve(r, krylov, dz);
+        return;
     }
+
+    applyFluid(r, dz);
 
     if (solidZone_.valid())
     {
@@ -618,7 +623,7 @@ void Foam::sweep::apply(const unifiedVector& r, unifiedVector& dz)
         r_.scale(-1);
         r_.add(1, r);
         correction_.setZero();
-        solid_.solve(r_, controls().subOrEmptyDict("krylov"), correction_);
+        solid_.solve(r_, krylov, correction_);
         dz.add(1, correction_);
     }
 }
