@@ -238,14 +238,7 @@ void Foam::meshMotion::start
     Info<< "The mesh of the fluid follows "
         << returnReduce(interface_->faces().size(), sumOp<label>())
         << " faces of solids, coupling "
-        << (implicit_ ? "implicit" : "explicit") << nl;
-    if (implicit_)
-    {
-        Info<< "    It moves in every Picard iteration: nOuterCorrectors is "
-            << defaultOuterCorrectors << " by default, more with solids of"
-            << " large strain" << nl;
-    }
-    Info<< endl;
+        << (implicit_ ? "implicit" : "explicit") << nl << endl;
 
     // Where the mesh was at the last two times
     oldV_ = geometry.V();

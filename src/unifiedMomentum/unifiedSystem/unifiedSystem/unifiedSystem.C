@@ -224,6 +224,11 @@ Foam::unifiedSystem::unifiedSystem(fvMesh& mesh)
             << controls_.nOuterCorrectors() << " Picard iterations in a time"
             << " step" << endl;
     }
+    else if (motion_ && motion_->implicit())
+    {
+        Info<< "Mesh that follows: up to " << controls_.nOuterCorrectors()
+            << " Picard iterations in a time step" << endl;
+    }
     fieldCheck::check(fields_);
     patchCheck::check(fields_);
 
