@@ -2,8 +2,6 @@
 #
 # Cases that are run in pieces, their fields and the count of checks.
 
-import array
-import gzip
 import math
 import os
 import re
@@ -13,6 +11,11 @@ import subprocess
 import sys
 import time
 from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent/'tools'))
+sys.dont_write_bytecode = True
+
+from fieldFile import content, values  # noqa: E402
 
 here = Path(__file__).resolve().parent
 runs = here/'run'
@@ -55,38 +58,6 @@ def close():
 
 
 # * * * * * * * * * * * * * * * * fields  * * * * * * * * * * * * * * * * * #
-
-def content(file):
-    '''Bytes of a file, or of its compressed form, or None'''
-    file = Path(file)
-    if file.is_file():
-        return file.read_bytes()
-    packed = file.with_name(file.name + '.gz')
-    return gzip.decompress(packed.read_bytes()) if packed.is_file() else None
-
-
-def values(file):
-    '''Numbers of the internal field'''
-    data = content(file)
-    if data is None:
-        raise FileNotFoundError(file)
-
-    uniform = re.search(rb'internalField\s+uniform\s+([^;]*);', data)
-    if uniform:
-        return [float(x) for x in re.sub(rb'[()]', b' ', uniform[1]).split()]
-
-    head = re.search(rb'internalField\s+nonuniform\s+List<(\w+)>\s*(\d+)\s*\(',
-                     data)
-    if not head:
-        return []
-    n = int(head[2])
-    n *= {b'scalar': 1, b'vector': 3, b'symmTensor': 6, b'tensor': 9}[head[1]]
-    if re.search(rb'format\s+binary', data[:1000]):
-        return list(array.array('d', data[head.end():head.end() + 8*n]))
-    end = data.index(b';', head.end())
-    text = re.sub(rb'[()]', b' ', data[head.end():end])
-    return [float(x) for x in text.split()]
-
 
 def difference(a, b):
     '''Largest difference over the largest value'''
