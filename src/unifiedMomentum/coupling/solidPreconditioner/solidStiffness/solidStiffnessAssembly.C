@@ -231,6 +231,38 @@ void Foam::solidStiffness::setValues(cellStiffness& cell)
         free_.push_back(std::move(f));
     }
 
+    // As above, for nodes
+    forAll(nodes_.geometry().unknownFaces(), i)
+    {
+        const label facei = nodes_.geometry().unknownFaces()[i];
+
+        if
+        (
+            nodes_.freeNode(i)
+         && nodes_.geometry().kind(facei) == fluxGeometry::SLIP
+        )
+        {
+            const label nodei = nodes_.ofFace(i);
+            const tensor normal(sqr(nodes_.geometry().n(true)[facei]));
+            const label placei = place(nodei, nodei);
+            Eigen::MatrixXd K(d, d);
+            scalar size = 0;
+
+            forAll(directions, k)
+            {
+                size += matrix_.coeff(d*nodei + k, d*nodei + k);
+            }
+            for (label k = 0; k < d; ++k)
+            {
+                for (label l = 0; l < d; ++l)
+                {
+                    K(k, l) = size*normal(directions[k], directions[l]);
+                }
+            }
+            add(nodei, placei, K, matrix_.valuePtr());
+        }
+    }
+
     keepBase();
 }
 
@@ -330,6 +362,20 @@ void Foam::solidStiffness::update
             cellDiagonal[celli]*Eigen::MatrixXd::Identity(d, d)
         );
         add(nodei, place(nodei, nodei), diagonal, values);
+    }
+
+    forAll(faceDiagonal, i)
+    {
+        if (nodes_.freeNode(i))
+        {
+            const label nodei = nodes_.ofFace(i);
+            Eigen::MatrixXd diagonal(Eigen::MatrixXd::Zero(d, d));
+            for (label k = 0; k < d; ++k)
+            {
+                diagonal(k, k) = faceDiagonal[i][directions[k]];
+            }
+            add(nodei, place(nodei, nodei), diagonal, values);
+        }
     }
 
     for (freeFaces& f : free_)
