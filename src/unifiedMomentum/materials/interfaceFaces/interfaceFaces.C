@@ -24,49 +24,6 @@ License
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::boolList Foam::interfaceFaces::cellsOf
-(
-    const word& name,
-    const dictionary& dict
-) const
-{
-    boolList selected(mesh_.nCells(), false);
-    DynamicList<word> materialNames;
-
-    forAll(materials_.materials(), materiali)
-    {
-        materialNames.append(materials_.materials()[materiali].name());
-
-        if (materialNames.last() == name)
-        {
-            forAll(selected, celli)
-            {
-                selected[celli] = materials_.materialIndex(celli) == materiali;
-            }
-            return selected;
-        }
-    }
-
-    const label zonei = mesh_.cellZones().findZoneID(name);
-
-    if (zonei < 0)
-    {
-        FatalIOErrorInFunction(dict)
-            << "No material and no cell zone has the name " << name << nl
-            << "    Valid choices: materials " << flatOutput(materialNames)
-            << ", cell zones " << flatOutput(mesh_.cellZones().names())
-            << exit(FatalIOError);
-    }
-
-    for (const label celli : mesh_.cellZones()[zonei])
-    {
-        selected[celli] = true;
-    }
-
-    return selected;
-}
-
-
 Foam::boolList Foam::interfaceFaces::cellsOf(const bool solid) const
 {
     boolList selected(mesh_.nCells());
@@ -118,7 +75,7 @@ void Foam::interfaceFaces::append(const boolList& from, const boolList& on)
     const labelUList& nei = mesh_.faceNeighbour();
 
     const labelList materialBeyond(materials_.boundaryNeighbour());
-    boolList fromBeyond(materialBeyond.size());
+    labelList fromBeyond(materialBeyond.size());
     forAll(fromBeyond, i)
     {
         fromBeyond[i] = from[own[nInternal + i]];
@@ -169,8 +126,8 @@ void Foam::interfaceFaces::append
     const dictionary& dict
 )
 {
-    boolList from(cellsOf(names.first(), dict));
-    boolList on(cellsOf(names.second(), dict));
+    boolList from(materials_.cells(names.first(), dict));
+    boolList on(materials_.cells(names.second(), dict));
     const bool fromSolid = solid(from, names.first(), dict);
     const bool onSolid = solid(on, names.second(), dict);
 
@@ -233,6 +190,89 @@ Foam::interfaceFaces::interfaceFaces
     if (!dict.found("interface") && !dict.found("interfaces"))
     {
         append(cellsOf(false), cellsOf(true));
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::interfaceFaces::addZones
+(
+    const materialZones& materials,
+    fvMesh& mesh
+)
+{
+    const PtrList<material>& all = materials.materials();
+    const label nInternal = mesh.nInternalFaces();
+    const labelList beyond(materials.boundaryNeighbour());
+
+    // Fluids first
+    DynamicList<label> order;
+    for (const bool solid : {false, true})
+    {
+        forAll(all, materiali)
+        {
+            if (all[materiali].solid() == solid)
+            {
+                order.append(materiali);
+            }
+        }
+    }
+
+    forAll(order, i)
+    {
+        for (label j = i + 1; j < order.size(); ++j)
+        {
+            const word name
+            (
+                all[order[i]].name() + "_to_" + all[order[j]].name()
+            );
+            DynamicList<label> faces;
+            DynamicList<bool> flips;
+
+            for (label facei = 0; facei < mesh.nFaces(); ++facei)
+            {
+                const label own =
+                    materials.materialIndex(mesh.faceOwner()[facei]);
+                const label other =
+                    mesh.isInternalFace(facei)
+                  ? materials.materialIndex(mesh.faceNeighbour()[facei])
+                  : beyond[facei - nInternal];
+
+                if (own == order[i] && other == order[j])
+                {
+                    faces.append(facei);
+                    flips.append(false);
+                }
+                else if (own == order[j] && other == order[i])
+                {
+                    faces.append(facei);
+                    flips.append(true);
+                }
+            }
+
+            // Processes have the same zones, of the user, too
+            if
+            (
+                returnReduce(faces.size(), sumOp<label>()) > 0
+             && returnReduce
+                (
+                    mesh.faceZones().findZoneID(name), maxOp<label>()
+                ) < 0
+            )
+            {
+                faceZoneMesh& zones = mesh.faceZones();
+                const label zonei = zones.size();
+
+                zones.clearAddressing();
+                zones.setSize(zonei + 1);
+                zones.set
+                (
+                    zonei,
+                    new faceZone(name, faces, flips, zonei, zones)
+                );
+            }
+        }
     }
 }
 
