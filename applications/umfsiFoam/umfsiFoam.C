@@ -93,6 +93,8 @@ Reference
 
 #include "fvCFD.H"
 #include "unifiedSystem.H"
+#include "interfaceFaces.H"
+#include "guarded.H"
 #include "restartableTime.H"
 #include "sigFpe.H"
 
@@ -105,6 +107,12 @@ int main(int argc, char *argv[])
         "Incompressible laminar flow and elastic solids on one mesh,"
         " with one momentum equation."
     );
+
+    #define CREATE_TIME createTimeToPostProcess.H
+    #define CREATE_MESH createMeshWithInterfaces.H
+    #define CREATE_FIELDS readSystem.H
+    #define NO_CONTROL
+    #include "postProcess.H"
 
     #include "setRootCase.H"
 

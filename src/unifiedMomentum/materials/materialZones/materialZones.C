@@ -406,6 +406,49 @@ Foam::labelList Foam::materialZones::cells(const bool isSolid) const
 }
 
 
+Foam::boolList Foam::materialZones::cells
+(
+    const word& name,
+    const dictionary& dict
+) const
+{
+    boolList selected(mesh_.nCells(), false);
+    DynamicList<word> materialNames;
+
+    forAll(materials_, materiali)
+    {
+        materialNames.append(materials_[materiali].name());
+
+        if (materialNames.last() == name)
+        {
+            forAll(selected, celli)
+            {
+                selected[celli] = cellMaterial_[celli] == materiali;
+            }
+            return selected;
+        }
+    }
+
+    const label zonei = mesh_.cellZones().findZoneID(name);
+
+    if (zonei < 0)
+    {
+        FatalIOErrorInFunction(dict)
+            << "No material and no cell zone has the name " << name << nl
+            << "    Valid choices: materials " << flatOutput(materialNames)
+            << ", cell zones " << flatOutput(mesh_.cellZones().names())
+            << exit(FatalIOError);
+    }
+
+    for (const label celli : mesh_.cellZones()[zonei])
+    {
+        selected[celli] = true;
+    }
+
+    return selected;
+}
+
+
 Foam::labelList Foam::materialZones::boundaryNeighbour() const
 {
     labelList nbr(mesh_.nFaces() - mesh_.nInternalFaces());

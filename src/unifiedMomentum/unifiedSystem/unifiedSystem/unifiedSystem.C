@@ -22,6 +22,9 @@ License
 #include "unifiedSystem.H"
 #include "fieldCheck.H"
 #include "laminarStress.H"
+#include "faceValue.H"
+#include "functionObject.H"
+#include "interfaceFaces.H"
 #include "patchCheck.H"
 #include "startFields.H"
 
@@ -215,6 +218,8 @@ Foam::unifiedSystem::unifiedSystem(fvMesh& mesh)
     validity_(flux_.geometry()),
     report_(mesh.time())
 {
+    interfaceFaces::addZones(materials_, mesh);
+
     time_.check();
     scheme_.check();
     controls_.read();
@@ -267,6 +272,27 @@ Foam::unifiedSystem& Foam::unifiedSystem::of
     const word& asker
 )
 {
+    if (functionObject::postProcess && isA<fvMesh>(obr))
+    {
+        const fvMesh& mesh = refCast<const fvMesh>(obr);
+        unifiedSystem* system = mesh.getObjectPtr<unifiedSystem>(typeName);
+
+        if (system && system->instance() != mesh.time().timeName())
+        {
+            // Of the time before, made below
+            system->checkOut();
+            system = nullptr;
+        }
+        if (!system)
+        {
+            system = new unifiedSystem(const_cast<fvMesh&>(mesh));
+            regIOobject::store(system);
+            system->evaluate();
+        }
+
+        return *system;
+    }
+
     if (!obr.foundObject<unifiedSystem>(typeName))
     {
         FatalErrorInFunction
@@ -395,6 +421,35 @@ void Foam::unifiedSystem::report() const
 void Foam::unifiedSystem::conclude() const
 {
     validity_.report();
+}
+
+
+void Foam::unifiedSystem::evaluate()
+{
+    const fluxGeometry& geometry = flux_.geometry();
+    unifiedVector z(system_.z());
+    fields_.toUnknowns(geometry, 0, z);
+
+    vectorField uf(mesh_.nFaces(), Zero);
+    flux_.patchVelocities(z, uf);
+
+    // D = D* + beta dt U, the other way round
+    momentumFlux::displacementVelocity star
+    {
+        fields_.D().primitiveField()/flux_.betaDt() - z.U,
+        vectorField(mesh_.nFaces(), Zero)
+    };
+    for (const labelList& faces :
+        {geometry.cellsAndFaces(true).ownSides, geometry.unknownFaces()})
+    {
+        for (const label facei : faces)
+        {
+            star.faces[facei] =
+                faceValue(fields_.Df(), facei)/flux_.betaDt() - uf[facei];
+        }
+    }
+
+    derived_.setStress(z, star);
 }
 
 
