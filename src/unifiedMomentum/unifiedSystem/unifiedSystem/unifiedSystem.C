@@ -20,6 +20,8 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "unifiedSystem.H"
+#include "caseReport.H"
+#include "caseWarnings.H"
 #include "fieldCheck.H"
 #include "laminarStress.H"
 #include "patchCheck.H"
@@ -275,6 +277,15 @@ Foam::unifiedSystem& Foam::unifiedSystem::of
     }
 
     return obr.lookupObjectRef<unifiedSystem>(typeName);
+}
+
+
+void Foam::unifiedSystem::describe(const bool all) const
+{
+    const caseFigures figures(fields_, flux_.geometry());
+
+    caseReport(figures).write(all);
+    caseWarnings(figures).warn();
 }
 
 
