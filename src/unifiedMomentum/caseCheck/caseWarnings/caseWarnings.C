@@ -21,6 +21,24 @@ License
 
 #include "caseWarnings.H"
 #include "unreadFiles.H"
+#include "OStringStream.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+    //- Names in brackets
+    static string namesOf(const wordList& names)
+    {
+        string text("(");
+        for (const word& name : names)
+        {
+            text += (text.size() > 1 ? " " : "") + name;
+        }
+        return text + ")";
+    }
+}
+
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -32,8 +50,8 @@ void Foam::caseWarnings::checkPieces() const
         {
             WarningInFunction
                 << "Nothing holds a solid: " << p.nCells << " cells of "
-                << flatOutput(p.materials.sortedToc()) << ", " << p.volume
-                << " m3, with the point " << p.place << nl
+                << namesOf(p.materials.sortedToc()).c_str() << ", "
+                << p.volume << " m3, with the point " << p.place << nl
                 << "    No face of it is on a patch that clamps or drives it"
                 << " or is a roller: it will drift away" << endl;
         }
@@ -95,8 +113,8 @@ void Foam::caseWarnings::checkFlux() const
 
         WarningInFunction
             << "The flux is fixed at both ends: " << r.in << " m3/s in through "
-            << flatOutput(r.inPatches) << ", " << r.out << " m3/s out through "
-            << flatOutput(r.outPatches) << nl
+            << namesOf(r.inPatches).c_str() << ", " << r.out
+            << " m3/s out through " << namesOf(r.outPatches).c_str() << nl
             << "    and nothing gives p: the difference, " << r.in - r.out
             << " m3/s, must go into the walls" << nl
             << "    One end with a pressure and U zeroGradient or inletOutlet"
@@ -141,19 +159,19 @@ void Foam::caseWarnings::checkScale() const
 
     if (length > 10 && (fast || thick))
     {
-        WarningInFunction
-            << "The mesh is " << length << " m long";
+        OStringStream why;
         if (fast)
         {
-            Warning<< ", the Reynolds number up to " << Re;
+            why << ", the Reynolds number up to " << Re;
         }
         if (thick)
         {
-            Warning<< ", the thinnest part that bends " << thinnest
-                << " m thick";
+            why << ", the thinnest part that bends " << thinnest << " m thick";
         }
-        Warning
-            << nl << "    Is it in mm? transformPoints -scale"
+
+        WarningInFunction
+            << "The mesh is " << length << " m long" << why.str().c_str() << nl
+            << "    Is it in mm? transformPoints -scale"
             << " '(0.001 0.001 0.001)', or scale of blockMeshDict" << endl;
     }
     else if (fast)

@@ -66,7 +66,7 @@ void Foam::unreadFiles::lookFor
 
     if (returnReduce(here, orOp<bool>()))
     {
-        found_.append(folder/name + ": " + remark);
+        found_.append(string(folder/name) + ": " + remark);
     }
 }
 
@@ -89,7 +89,7 @@ Foam::unreadFiles::unreadFiles(const fvMesh& mesh)
 
         if (returnReduce(!path.empty() && isFile(path), orOp<bool>()))
         {
-            found_.append(fileName(constant)/name + ": " + remark);
+            found_.append(string(fileName(constant)/name) + ": " + remark);
         }
     };
 
@@ -119,7 +119,7 @@ Foam::unreadFiles::unreadFiles(const fvMesh& mesh)
     {
         found_.append
         (
-            fileName(constant)/"turbulenceProperties: simulationType " + type
+            string(constant) + "/turbulenceProperties: simulationType " + type
           + ", but " + laminar
         );
     }
@@ -149,13 +149,15 @@ void Foam::unreadFiles::warn() const
         return;
     }
 
-    WarningInFunction
-        << "Files of other solvers that are not read here:" << nl;
+    string lines;
     for (const string& line : found_)
     {
-        Warning<< "    " << line.c_str() << nl;
+        lines += "    " + line + "\n";
     }
-    Warning<< endl;
+
+    WarningInFunction
+        << "Files of other solvers that are not read here:" << nl
+        << lines.c_str() << endl;
 }
 
 
