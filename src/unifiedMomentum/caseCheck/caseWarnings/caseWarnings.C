@@ -229,7 +229,8 @@ void Foam::caseWarnings::checkMaterials() const
         else if (wave > fastest)
         {
             WarningInFunction
-                << "Material " << m.name() << ": the speed of pressure waves is "
+                << "Material " << m.name()
+                << ": the speed of pressure waves is "
                 << wave << " m/s, more than of any solid" << nl
                 << "    E is in Pa, rho in kg/m3: of steel 7850" << endl;
         }

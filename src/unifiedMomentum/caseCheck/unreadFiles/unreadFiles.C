@@ -21,7 +21,6 @@ License
 
 #include "unreadFiles.H"
 #include "IOdictionary.H"
-#include "localIOdictionary.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -38,6 +37,24 @@ namespace Foam
         "there is no equation of energy";
     static const char* const points =
         "the mesh is at rest without constant/dynamicMeshDict";
+
+
+    //- Is there a dictionary in constant? Parallel cases have one
+    static bool isConstant(const fvMesh& mesh, const word& name)
+    {
+        IOobject header
+        (
+            name,
+            mesh.time().constant(),
+            mesh,
+            IOobject::MUST_READ,
+            IOobject::NO_WRITE,
+            false
+        );
+        const fileName path(header.globalFilePath(IOdictionary::typeName));
+
+        return returnReduce(!path.empty() && isFile(path), orOp<bool>());
+    }
 }
 
 
@@ -82,12 +99,7 @@ Foam::unreadFiles::unreadFiles(const fvMesh& mesh)
 
     const auto inConstant = [&](const word& name, const char* remark)
     {
-        // Parallel cases have one file
-        IOobject header(name, constant, mesh, IOobject::MUST_READ);
-        header.registerObject() = false;
-        const fileName path(header.globalFilePath(IOdictionary::typeName));
-
-        if (returnReduce(!path.empty() && isFile(path), orOp<bool>()))
+        if (isConstant(mesh, name))
         {
             found_.append(string(fileName(constant)/name) + ": " + remark);
         }
@@ -130,10 +142,7 @@ Foam::unreadFiles::unreadFiles(const fvMesh& mesh)
     }
     lookFor(mesh, start, "T", noEnergy);
 
-    IOobject motion("dynamicMeshDict", constant, mesh, IOobject::MUST_READ);
-    motion.registerObject() = false;
-    const fileName path(motion.globalFilePath(IOdictionary::typeName));
-    if (!returnReduce(!path.empty() && isFile(path), orOp<bool>()))
+    if (!isConstant(mesh, "dynamicMeshDict"))
     {
         lookFor(mesh, start, "pointDisplacement", points);
     }
