@@ -390,7 +390,7 @@ void Foam::unifiedSystem::updateDisplacement()
 }
 
 
-void Foam::unifiedSystem::report() const
+void Foam::unifiedSystem::report()
 {
     report_.write
     (
@@ -405,6 +405,7 @@ void Foam::unifiedSystem::report() const
 
 void Foam::unifiedSystem::conclude() const
 {
+    report_.conclude(system_.nUnconverged());
     validity_.report();
 }
 
