@@ -114,7 +114,13 @@ int main(int argc, char *argv[])
     #define NO_CONTROL
     #include "postProcess.H"
 
-    #include "setRootCase.H"
+    argList::addBoolOption
+    (
+        "dry-run",
+        "Read and check the case, print what it is, write nothing"
+    );
+
+    #include "setRootCaseLists.H"
 
     // A number that is none shall end the run with a message
     sigFpe::unset();
@@ -122,9 +128,30 @@ int main(int argc, char *argv[])
     Info<< "Create time" << nl << endl;
     restartableTime runTime(args);
 
-    #include "createMesh.H"
+    // Not createMesh.H: with -dry-run it would make a mesh of its own
+    Info<< "Create mesh for time = " << runTime.timeName() << nl << endl;
+    fvMesh mesh
+    (
+        IOobject
+        (
+            fvMesh::defaultRegion,
+            runTime.timeName(),
+            runTime,
+            IOobject::MUST_READ
+        )
+    );
 
     unifiedSystem system(mesh);
+
+    const bool dryRun = restartableTime::dryRun(args);
+    system.describe(dryRun);
+
+    if (dryRun)
+    {
+        Info<< "End" << nl << endl;
+
+        return 0;
+    }
 
     Info<< "Starting time loop" << nl << endl;
 

@@ -121,7 +121,8 @@ Foam::stepFailure::stepFailure
     sweep_(s),
     controls_(controls),
     residuals_(residuals),
-    nUnconverged_(0)
+    nUnconverged_(0),
+    nAll_(0)
 {}
 
 
@@ -237,6 +238,7 @@ void Foam::stepFailure::checkConverged
         return;
     }
     ++nUnconverged_;
+    ++nAll_;
 
     OStringStream which;
     which

@@ -31,24 +31,8 @@ void Foam::enclosedFluids::setRegions()
 {
     const fluxGeometry& geometry = op_.geometry();
     const fvMesh& mesh = geometry.mesh();
-    const materialZones& materials = geometry.materials();
     const fluxGeometry::zone& fluid = geometry.cellsAndFaces(false);
-    const labelList beyond(materials.boundaryNeighbour());
-
-    boolList blocked(mesh.nFaces(), false);
-    forAll(blocked, facei)
-    {
-        const bool neiSolid =
-            mesh.isInternalFace(facei)
-          ? materials.solid(mesh.faceNeighbour()[facei])
-          : materials.materials()
-            [
-                beyond[facei - mesh.nInternalFaces()]
-            ].solid();
-
-        blocked[facei] = materials.solid(mesh.faceOwner()[facei]) != neiSolid;
-    }
-    const regionSplit split(mesh, blocked);
+    const regionSplit split(mesh, geometry.materials().borders());
 
     // max: the compiler warns of negative sizes
     const label nParts = max(split.nRegions(), 0);

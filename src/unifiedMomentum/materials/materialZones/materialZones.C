@@ -464,4 +464,23 @@ Foam::labelList Foam::materialZones::boundaryNeighbour() const
 }
 
 
+Foam::boolList Foam::materialZones::borders() const
+{
+    const labelList beyond(boundaryNeighbour());
+    boolList borders(mesh_.nFaces());
+
+    forAll(borders, facei)
+    {
+        const bool neiSolid =
+            mesh_.isInternalFace(facei)
+          ? solid(mesh_.faceNeighbour()[facei])
+          : materials_[beyond[facei - mesh_.nInternalFaces()]].solid();
+
+        borders[facei] = solid(mesh_.faceOwner()[facei]) != neiSolid;
+    }
+
+    return borders;
+}
+
+
 // ************************************************************************* //

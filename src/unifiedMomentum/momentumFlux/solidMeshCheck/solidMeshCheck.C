@@ -21,44 +21,16 @@ License
 
 #include "solidMeshCheck.H"
 #include "cellLengths.H"
+#include "freeSurfaces.H"
 #include "syncTools.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-bool Foam::solidMeshCheck::freeSurface
-(
-    const label facei,
-    const labelList& beyond
-) const
-{
-    const fvMesh& mesh = geometry_.mesh();
-    const materialZones& materials = geometry_.materials();
-
-    if (geometry_.kind(facei) == fluxGeometry::TRACTION)
-    {
-        return true;
-    }
-    else if (geometry_.kind(facei) != fluxGeometry::INTERFACE)
-    {
-        return false;
-    }
-    else if (mesh.isInternalFace(facei))
-    {
-        return
-            !materials.solid(mesh.faceOwner()[facei])
-         || !materials.solid(mesh.faceNeighbour()[facei]);
-    }
-
-    return
-       !materials.materials()[beyond[facei - mesh.nInternalFaces()]].solid();
-}
-
 
 void Foam::solidMeshCheck::checkCells()
 {
     const fvMesh& mesh = geometry_.mesh();
     const cellLengths lengths(geometry_);
-    const labelList beyond(geometry_.materials().boundaryNeighbour());
+    const freeSurfaces free(geometry_);
 
     // A triangle has 3 faces that are solved, a tetrahedron 4
     const label nSimplex = lengths.nD() + 1;
@@ -85,7 +57,7 @@ void Foam::solidMeshCheck::checkCells()
             ++nFaces;
             clamped = clamped || geometry_.kind(facei) == fluxGeometry::FIXED;
 
-            if (freeSurface(facei, beyond))
+            if (free[facei])
             {
                 const bool owner = mesh.faceOwner()[facei] == celli;
                 const vector& n = geometry_.n()[facei];

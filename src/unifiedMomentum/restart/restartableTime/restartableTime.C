@@ -330,7 +330,20 @@ void Foam::restartableTime::setAsideUnfinished(const argList& args)
 
 const Foam::word& Foam::restartableTime::preparedCase(const argList& args)
 {
-    setAsideUnfinished(args);
+    if (!dryRun(args))
+    {
+        setAsideUnfinished(args);
+    }
+    else if
+    (
+        Pstream::master()
+     && isFile(markOf(args.rootPath()/args.globalCaseName()))
+    )
+    {
+        Info<< "A run was stopped while writing: the next one will set the"
+            << " time aside that is not complete" << nl << endl;
+    }
+
     return controlDictName;
 }
 
@@ -426,6 +439,17 @@ Foam::restartableTime::restartableTime(const argList& args)
     takePurge();
     readOldDeltaT();
     guardFunctions();
+}
+
+
+// * * * * * * * * * * * * * Static Member Functions * * * * * * * * * * * * //
+
+bool Foam::restartableTime::dryRun(const argList& args)
+{
+    // Newer versions of OpenFOAM may keep this option to themselves
+    return
+        args.found("dry-run")
+     || args.commandLine().find(" -dry-run") != string::npos;
 }
 
 

@@ -29,7 +29,9 @@ License
 Foam::stepReport::stepReport(const Time& time)
 :
     time_(time),
-    clock_()
+    clock_(),
+    nSteps_(0),
+    nSweeps_(0)
 {}
 
 
@@ -42,8 +44,11 @@ void Foam::stepReport::write
     const label nSweeps,
     const scalarList& relative,
     const scalar increment
-) const
+)
 {
+    ++nSteps_;
+    nSweeps_ += nSweeps;
+
     const scalar start = time_.startTime().value();
     const scalar done =
         (time_.value() - start)/max(time_.endTime().value() - start, VSMALL);
@@ -74,6 +79,14 @@ void Foam::stepReport::write
         << "  remaining " << max(elapsed*(1/done - 1), 0.0) << " s";
 
     Info<< line.str().c_str() << endl;
+}
+
+
+void Foam::stepReport::conclude(const label nUnconverged) const
+{
+    Info<< nl << "Steps " << nSteps_ << ", of these unconverged "
+        << nUnconverged << "; sweeps " << nSweeps_ << "; elapsed "
+        << clock_.elapsedTime() << " s" << endl;
 }
 
 

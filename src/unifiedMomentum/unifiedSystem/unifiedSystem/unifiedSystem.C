@@ -20,6 +20,8 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "unifiedSystem.H"
+#include "caseReport.H"
+#include "caseWarnings.H"
 #include "fieldCheck.H"
 #include "laminarStress.H"
 #include "faceValue.H"
@@ -304,6 +306,15 @@ Foam::unifiedSystem& Foam::unifiedSystem::of
 }
 
 
+void Foam::unifiedSystem::describe(const bool all) const
+{
+    const caseFigures figures(fields_, flux_.geometry());
+
+    caseReport(figures).write(all);
+    caseWarnings(figures).warn();
+}
+
+
 void Foam::unifiedSystem::limitDeltaT(Time& runTime) const
 {
     time_.limitDeltaT(runTime);
@@ -405,7 +416,7 @@ void Foam::unifiedSystem::updateDisplacement()
 }
 
 
-void Foam::unifiedSystem::report() const
+void Foam::unifiedSystem::report()
 {
     report_.write
     (
@@ -420,6 +431,7 @@ void Foam::unifiedSystem::report() const
 
 void Foam::unifiedSystem::conclude() const
 {
+    report_.conclude(system_.nUnconverged());
     validity_.report();
 }
 

@@ -1,0 +1,42 @@
+/*---------------------------------------------------------------------------*\
+  umfsiFoam: fluid-structure interaction with one momentum equation
+-------------------------------------------------------------------------------
+License
+    This file is part of umfsiFoam.
+
+    umfsiFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by
+    the Free Software Foundation, either version 3 of the License, or
+    (at your option) any later version.
+
+    umfsiFoam is distributed in the hope that it will be useful, but WITHOUT
+    ANY WARRANTY; without even the implied warranty of MERCHANTABILITY or
+    FITNESS FOR A PARTICULAR PURPOSE.  See the GNU General Public License
+    for more details.
+
+    You should have received a copy of the GNU General Public License
+    along with umfsiFoam.  If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "caseFigures.H"
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::caseFigures::caseFigures
+(
+    const unifiedFields& fields,
+    const fluxGeometry& geometry
+)
+:
+    given_(geometry, fields.U()),
+    mesh(geometry.mesh()),
+    materials(geometry),
+    solids(geometry),
+    fluids(geometry, fields.p(), given_),
+    patches(geometry, fields.U(), fields.p(), given_),
+    times(geometry, fields.U(), given_, materials, solids, fluids)
+{}
+
+
+// ************************************************************************* //
