@@ -137,6 +137,22 @@ void Foam::solidStiffness::expand
     nodes_.fromNodes(x, v);
     nodes_.extend(x);
 
+    // No equation would take back what round-off leaves across slip faces
+    const fluxGeometry& geometry = nodes_.geometry();
+    forAll(geometry.unknownFaces(), i)
+    {
+        const label facei = geometry.unknownFaces()[i];
+
+        if
+        (
+            nodes_.freeNode(i)
+         && geometry.kind(facei) == fluxGeometry::SLIP
+        )
+        {
+            v.Uf[i] = geometry.tangential(facei, v.Uf[i]);
+        }
+    }
+
     for (const freeFaces& f : free_)
     {
         Eigen::VectorXd xc(d*f.nodes.size());
