@@ -139,18 +139,9 @@ void Foam::solidStiffness::expand
 
     // No equation would take back what round-off leaves across slip faces
     const fluxGeometry& geometry = nodes_.geometry();
-    forAll(geometry.unknownFaces(), i)
+    for (const label i : slipNodes_)
     {
-        const label facei = geometry.unknownFaces()[i];
-
-        if
-        (
-            nodes_.freeNode(i)
-         && geometry.kind(facei) == fluxGeometry::SLIP
-        )
-        {
-            v.Uf[i] = geometry.tangential(facei, v.Uf[i]);
-        }
+        v.Uf[i] = geometry.tangential(geometry.unknownFaces()[i], v.Uf[i]);
     }
 
     for (const freeFaces& f : free_)
