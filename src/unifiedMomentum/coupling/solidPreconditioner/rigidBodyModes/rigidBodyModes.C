@@ -145,7 +145,13 @@ Foam::boolList Foam::rigidBodyModes::seenByLinks(const unifiedOperator& op)
     const fvMesh& mesh = geometry.mesh();
     const faceLinks& links = op.flux().stress(true).links();
 
-    if (!links.active() || !(whole(geometry) || direct(geometry)))
+    // On skew cells the matrix is not that of the operator anyway, and knows
+    // slender tetrahedra better with the faces eliminated
+    if
+    (
+        !links.active() || geometry.skewed(true)
+     || !(whole(geometry) || direct(geometry))
+    )
     {
         return boolList();
     }
