@@ -138,18 +138,6 @@ def table(function, name):
     return [rows[t] for t in sorted(rows)]
 
 
-def is_test(case):
-    """Has Allrun -test set the values of system/parameters.test?"""
-    texts = []
-    for name in ("parameters.test", "parameters.local"):
-        path = os.path.join(case, "system", name)
-        if not os.path.exists(path):
-            return False
-        with open(path, encoding="ascii") as file:
-            texts.append(file.read())
-    return texts[0] == texts[1]
-
-
 def draw(axes, cut, values, points=None, plane=(0, 1), unit=1, **options):
     """Polygons coloured by values, lengths divided by unit."""
     from matplotlib.collections import PolyCollection

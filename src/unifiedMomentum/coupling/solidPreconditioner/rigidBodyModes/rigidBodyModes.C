@@ -144,9 +144,14 @@ Foam::boolList Foam::rigidBodyModes::seenByLinks(const unifiedOperator& op)
     const fluxGeometry& geometry = op.geometry();
     const fvMesh& mesh = geometry.mesh();
     const faceLinks& links = op.flux().stress(true).links();
-    boolList seen(geometry.unknownFaces().size(), false);
 
-    if (!links.active() || !(whole(geometry) || direct(geometry)))
+    // On skew cells the matrix is not that of the operator anyway, and knows
+    // slender tetrahedra better with the faces eliminated
+    if
+    (
+        !links.active() || geometry.skewed(true)
+     || !(whole(geometry) || direct(geometry))
+    )
     {
         return boolList();
     }
@@ -163,6 +168,7 @@ Foam::boolList Foam::rigidBodyModes::seenByLinks(const unifiedOperator& op)
         return false;
     };
 
+    boolList seen(geometry.unknownFaces().size());
     forAll(seen, i)
     {
         const label facei = geometry.unknownFaces()[i];
@@ -410,6 +416,7 @@ void Foam::rigidBodyModes::setUp()
     // that costs more than the iterations that they save
     const label maxDirect = d == 3 ? maxDirect3D : maxDirect2D;
     const bool allInOne = whole(nodes_.geometry());
+    const bool ownDirect = direct(nodes_.geometry());
 
     stiffness_.reset
     (
@@ -417,7 +424,7 @@ void Foam::rigidBodyModes::setUp()
         (
             nodes_,
             stress,
-            allInOne || direct(nodes_.geometry()),
+            allInOne || ownDirect,
             shape_.cells.size() ? &shape_ : nullptr
         )
     );
@@ -457,7 +464,7 @@ void Foam::rigidBodyModes::setUp()
             d,
             B,
             aggregates(d == 3 ? 4 : 3),
-            direct(nodes_.geometry()) ? B.rows() : d*maxDirect,
+            ownDirect ? B.rows() : d*maxDirect,
             hard()
         )
     );
