@@ -24,6 +24,16 @@ License
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+void Foam::cellStiffness::setFace(velocity& v, const label i) const
+{
+    v.node = nodes_.ofFace(i);
+    if (v.node < 0)
+    {
+        v.face = i;
+    }
+}
+
+
 Foam::cellStiffness::velocity Foam::cellStiffness::beyond
 (
     const label celli,
@@ -78,24 +88,20 @@ Foam::cellStiffness::velocity Foam::cellStiffness::beyond
         }
         case fluxGeometry::SLIP:
         {
-            v.face = i;
+            setFace(v, i);
             v.T = along;
             break;
         }
         case fluxGeometry::TRACTION:
         {
-            v.face = i;
+            setFace(v, i);
             break;
         }
         case fluxGeometry::INTERFACE:
         {
-            if (nodes_.eliminated(i))
+            if (nodes_.eliminated(i) || nodes_.ofFace(i) >= 0)
             {
-                v.face = i;
-            }
-            else if (nodes_.ofFace(i) >= 0)
-            {
-                v.node = nodes_.ofFace(i);
+                setFace(v, i);
             }
             else
             {

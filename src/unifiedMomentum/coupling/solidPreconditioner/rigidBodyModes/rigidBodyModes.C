@@ -118,6 +118,73 @@ Eigen::MatrixXd Foam::rigidBodyModes::modes() const
 }
 
 
+bool Foam::rigidBodyModes::whole(const fluxGeometry& geometry)
+{
+    const label nCells = geometry.cellsAndFaces(true).cells.size();
+
+    return
+        Pstream::parRun()
+     && returnReduce(nCells, sumOp<label>())
+     <= (geometry.mesh().nSolutionD() == 3 ? maxWhole3D : maxWhole2D);
+}
+
+
+bool Foam::rigidBodyModes::direct(const fluxGeometry& geometry)
+{
+    const label nCells = geometry.cellsAndFaces(true).cells.size();
+
+    return
+        returnReduce(nCells, maxOp<label>())
+     <= (geometry.mesh().nSolutionD() == 3 ? maxDirect3D : maxDirect2D);
+}
+
+
+Foam::boolList Foam::rigidBodyModes::seenByLinks(const unifiedOperator& op)
+{
+    const fluxGeometry& geometry = op.geometry();
+    const fvMesh& mesh = geometry.mesh();
+    const faceLinks& links = op.flux().stress(true).links();
+
+    // On skew cells the matrix is not that of the operator anyway, and knows
+    // slender tetrahedra better with the faces eliminated
+    if
+    (
+        !links.active() || geometry.skewed(true)
+     || !(whole(geometry) || direct(geometry))
+    )
+    {
+        return boolList();
+    }
+
+    const auto linked = [&](const label celli)
+    {
+        for (const label facei : mesh.cells()[celli])
+        {
+            if (mesh.isInternalFace(facei) && links.links(facei))
+            {
+                return true;
+            }
+        }
+        return false;
+    };
+
+    boolList seen(geometry.unknownFaces().size());
+    forAll(seen, i)
+    {
+        const label facei = geometry.unknownFaces()[i];
+
+        seen[i] =
+            linked(mesh.faceOwner()[facei])
+         || (
+                mesh.isInternalFace(facei)
+             && linked(mesh.faceNeighbour()[facei])
+            );
+    }
+
+    return seen;
+}
+
+
 Foam::labelList Foam::rigidBodyModes::aggregates(const label nPasses) const
 {
     const fluxGeometry& geometry = nodes_.geometry();
@@ -156,7 +223,7 @@ Foam::labelList Foam::rigidBodyModes::aggregates(const label nPasses) const
     labelList result(aggregation::pairwise(points, couplings, nPasses));
     result.setSize(nodes_.nOwn(), -1);
 
-    // Faces between solids go with the stiffer cell
+    // Faces go with the solid cell, between solids with the stiffer one
     forAll(geometry.unknownFaces(), i)
     {
         if (nodes_.ofFace(i) >= 0)
@@ -167,7 +234,14 @@ Foam::labelList Foam::rigidBodyModes::aggregates(const label nPasses) const
             if (mesh.isInternalFace(facei))
             {
                 const label nei = mesh.faceNeighbour()[facei];
-                if (materials[nei].shear() > materials[celli].shear())
+                if
+                (
+                    !materials.solid(celli)
+                 || (
+                        materials.solid(nei)
+                     && materials[nei].shear() > materials[celli].shear()
+                    )
+                )
                 {
                     celli = nei;
                 }
@@ -341,10 +415,8 @@ void Foam::rigidBodyModes::setUp()
     // Links make the rows of the matrix up to four times longer. In multigrid
     // that costs more than the iterations that they save
     const label maxDirect = d == 3 ? maxDirect3D : maxDirect2D;
-    const label maxWhole = d == 3 ? maxWhole3D : maxWhole2D;
-    const label most = returnReduce(nodes_.nOwn(), maxOp<label>());
-    const label all = returnReduce(nodes_.nOwn(), sumOp<label>());
-    const bool whole = Pstream::parRun() && all <= maxWhole;
+    const bool allInOne = whole(nodes_.geometry());
+    const bool ownDirect = direct(nodes_.geometry());
 
     stiffness_.reset
     (
@@ -352,7 +424,7 @@ void Foam::rigidBodyModes::setUp()
         (
             nodes_,
             stress,
-            whole || most <= maxDirect,
+            allInOne || ownDirect,
             shape_.cells.size() ? &shape_ : nullptr
         )
     );
@@ -365,7 +437,7 @@ void Foam::rigidBodyModes::setUp()
         vectorField(faces_.weight.size(), Zero)
     );
 
-    if (whole)
+    if (allInOne)
     {
         // Each node an aggregate with all its motion: the whole matrix
         Eigen::MatrixXd all(Eigen::MatrixXd::Zero(d*nodes_.nOwn(), d));
@@ -392,7 +464,7 @@ void Foam::rigidBodyModes::setUp()
             d,
             B,
             aggregates(d == 3 ? 4 : 3),
-            d*maxDirect,
+            ownDirect ? B.rows() : d*maxDirect,
             hard()
         )
     );
@@ -412,7 +484,7 @@ void Foam::rigidBodyModes::setUp()
 Foam::rigidBodyModes::rigidBodyModes(unifiedOperator& op, const faces& f)
 :
     solidPreconditioner(op, f),
-    nodes_(op.geometry()),
+    nodes_(op.geometry(), seenByLinks(op)),
     timeIndex_(-1),
     written_(true),
     error_(GREAT),

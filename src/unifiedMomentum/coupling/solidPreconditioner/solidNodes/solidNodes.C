@@ -26,7 +26,7 @@ License
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::solidNodes::setOwn()
+void Foam::solidNodes::setOwn(const boolList& kept)
 {
     const fvMesh& mesh = geometry_.mesh();
     const materialZones& materials = geometry_.materials();
@@ -47,7 +47,7 @@ void Foam::solidNodes::setOwn()
         if (mesh.isInternalFace(facei))
         {
             neiSolid = materials.solid(mesh.faceNeighbour()[facei]);
-            eliminated_[i] = ownSolid != neiSolid;
+            free_[i] = ownSolid != neiSolid;
         }
         else
         {
@@ -64,10 +64,12 @@ void Foam::solidNodes::setOwn()
                 holds = refCast<const coupledPolyPatch>(pp).owner();
                 sharesFaces_ = sharesFaces_ || (ownSolid && neiSolid);
             }
-            eliminated_[i] = ownSolid && !neiSolid;
+            free_[i] = ownSolid && !neiSolid;
         }
 
-        if (ownSolid && neiSolid && holds)
+        const bool keep = kept.size() && kept[i] && free_[i];
+
+        if (keep || (ownSolid && neiSolid && holds))
         {
             faceNode_[i] = nOwn_++;
         }
@@ -106,7 +108,7 @@ void Foam::solidNodes::setBeyond()
         if
         (
             geometry_.coupled(facei)
-         && !eliminated_[i]
+         && !free_[i]
          && cellNode_[mesh.faceOwner()[facei]] >= 0
         )
         {
@@ -197,7 +199,11 @@ void Foam::solidNodes::add
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::solidNodes::solidNodes(const fluxGeometry& geometry)
+Foam::solidNodes::solidNodes
+(
+    const fluxGeometry& geometry,
+    const boolList& kept
+)
 :
     geometry_(geometry),
     directions_(),
@@ -205,7 +211,7 @@ Foam::solidNodes::solidNodes(const fluxGeometry& geometry)
     nAll_(0),
     cellNode_(geometry.mesh().nCells(), -1),
     faceNode_(geometry.unknownFaces().size(), -1),
-    eliminated_(faceNode_.size(), false),
+    free_(faceNode_.size(), false),
     exchanges_(false),
     sharesFaces_(false)
 {
@@ -217,7 +223,7 @@ Foam::solidNodes::solidNodes(const fluxGeometry& geometry)
         }
     }
 
-    setOwn();
+    setOwn(kept);
     setBeyond();
 }
 
@@ -302,7 +308,7 @@ void Foam::solidNodes::fromNodes
         if
         (
             faceNode_[i] < 0
-         && !eliminated_[i]
+         && !free_[i]
          && geometry_.coupled(facei)
          && cellNode_[mesh.faceOwner()[facei]] >= 0
         )

@@ -137,6 +137,13 @@ void Foam::solidStiffness::expand
     nodes_.fromNodes(x, v);
     nodes_.extend(x);
 
+    // No equation would take back what round-off leaves across slip faces
+    const fluxGeometry& geometry = nodes_.geometry();
+    for (const label i : slipNodes_)
+    {
+        v.Uf[i] = geometry.tangential(geometry.unknownFaces()[i], v.Uf[i]);
+    }
+
     for (const freeFaces& f : free_)
     {
         Eigen::VectorXd xc(d*f.nodes.size());

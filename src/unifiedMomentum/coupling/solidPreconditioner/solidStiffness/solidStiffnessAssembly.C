@@ -112,10 +112,57 @@ void Foam::solidStiffness::setPattern(cellStiffness& cell)
 }
 
 
-void Foam::solidStiffness::setValues(cellStiffness& cell)
+void Foam::solidStiffness::reduce(const tensor& t, Eigen::MatrixXd& K) const
 {
     const DynamicList<direction>& directions = nodes_.directions();
     const label d = directions.size();
+
+    K.resize(d, d);
+    for (label k = 0; k < d; ++k)
+    {
+        for (label l = 0; l < d; ++l)
+        {
+            K(k, l) = t(directions[k], directions[l]);
+        }
+    }
+}
+
+
+void Foam::solidStiffness::setSlipNodes()
+{
+    const fluxGeometry& geometry = nodes_.geometry();
+    const label d = nodes_.blockSize();
+    Eigen::MatrixXd K;
+
+    forAll(geometry.unknownFaces(), i)
+    {
+        const label facei = geometry.unknownFaces()[i];
+
+        if
+        (
+            nodes_.freeNode(i)
+         && geometry.kind(facei) == fluxGeometry::SLIP
+        )
+        {
+            const label nodei = nodes_.ofFace(i);
+            scalar size = 0;
+            for (label k = 0; k < d; ++k)
+            {
+                size += matrix_.coeff(d*nodei + k, d*nodei + k);
+            }
+
+            reduce(tensor(size*sqr(geometry.n(true)[facei])), K);
+            add(nodei, place(nodei, nodei), K, matrix_.valuePtr());
+            slipNodes_.append(i);
+        }
+    }
+}
+
+
+void Foam::solidStiffness::setValues(cellStiffness& cell)
+{
+    const label d = nodes_.blockSize();
+    Eigen::MatrixXd K;
 
     for (const label celli : nodes_.geometry().cellsAndFaces(true).cells)
     {
@@ -137,7 +184,6 @@ void Foam::solidStiffness::setValues(cellStiffness& cell)
         freeFaces f;
         f.Kff.setZero(d*faces.size(), d*faces.size());
         f.Kfc.setZero(d*faces.size(), d*nodes.size());
-        Eigen::MatrixXd K(d, d);
 
         forAll(v, i)
         {
@@ -152,14 +198,7 @@ void Foam::solidStiffness::setValues(cellStiffness& cell)
                     continue;
                 }
 
-                const tensor block(cell.block(i, j));
-                for (label k = 0; k < d; ++k)
-                {
-                    for (label l = 0; l < d; ++l)
-                    {
-                        K(k, l) = block(directions[k], directions[l]);
-                    }
-                }
+                reduce(cell.block(i, j), K);
 
                 if (v[i].node >= 0)
                 {
@@ -205,17 +244,10 @@ void Foam::solidStiffness::setValues(cellStiffness& cell)
             if (vi.face >= 0)
             {
                 const label i = faces.find(vi.face);
-                const scalar size = f.Kff.block(d*i, d*i, d, d).trace();
-                const tensor normal(size*(tensor::I - vi.T));
-
-                for (label k = 0; k < d; ++k)
-                {
-                    for (label l = 0; l < d; ++l)
-                    {
-                        f.Kff(d*i + k, d*i + l) +=
-                            normal(directions[k], directions[l]);
-                    }
-                }
+                auto own = f.Kff.block(d*i, d*i, d, d);
+                const scalar size = own.trace();
+                reduce(tensor(size*(tensor::I - vi.T)), K);
+                own += K;
             }
         }
 
@@ -231,6 +263,7 @@ void Foam::solidStiffness::setValues(cellStiffness& cell)
         free_.push_back(std::move(f));
     }
 
+    setSlipNodes();
     keepBase();
 }
 
@@ -322,14 +355,22 @@ void Foam::solidStiffness::update
 
     restoreBase();
 
+    const auto addDiagonal = [&](const label nodei, const vector& diagonal)
+    {
+        const Eigen::MatrixXd block(nodes_.reduced(diagonal).asDiagonal());
+        add(nodei, place(nodei, nodei), block, values);
+    };
+
     for (const label celli : nodes_.geometry().cellsAndFaces(true).cells)
     {
-        const label nodei = nodes_.ofCell(celli);
-        const Eigen::MatrixXd diagonal
-        (
-            cellDiagonal[celli]*Eigen::MatrixXd::Identity(d, d)
-        );
-        add(nodei, place(nodei, nodei), diagonal, values);
+        addDiagonal(nodes_.ofCell(celli), cellDiagonal[celli]*vector::one);
+    }
+    forAll(faceDiagonal, i)
+    {
+        if (nodes_.freeNode(i))
+        {
+            addDiagonal(nodes_.ofFace(i), faceDiagonal[i]);
+        }
     }
 
     for (freeFaces& f : free_)
