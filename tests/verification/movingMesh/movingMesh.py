@@ -429,6 +429,140 @@ def checkParallel(counted, folder):
                           f" {error:.1e}")
 
 
+# A square that turns
+
+def writeSquare(case, degrees, nSteps=8):
+    """A square in the middle of a box of fluid turns by an angle."""
+    shutil.rmtree(case, ignore_errors=True)
+    (case/"system").mkdir(parents=True)
+    dt = 1/64
+    writeSystem(case, "Euler", dt, nSteps, nSteps//2, "1e-6")
+    x = (-2, -0.5, 0.5, 2)
+    points = "".join(f"({a} {b} {z}) " for z in (0, 1) for b in x for a in x)
+    n = (12, 8, 12)
+    blocks = sides = outer = ""
+    for j in range(3):
+        for i in range(3):
+            a, b, c, d = (4*j + i, 4*j + i + 1, 4*j + i + 5, 4*j + i + 4)
+            if (i, j) == (1, 1):
+                sides = "".join(f"({p} {q} {q + 16} {p + 16})" for p, q in
+                                ((a, b), (b, c), (c, d), (d, a)))
+                continue
+            blocks += (f"hex ({a} {b} {c} {d} {a + 16} {b + 16} {c + 16}"
+                       f" {d + 16}) fluid ({n[i]} {n[j]} 1)"
+                       " simpleGrading (1 1 1)\n")
+            outer += f"({a} {d} {c} {b}) ({a + 16} {b + 16} {c + 16} {d + 16})"
+    writeFile(
+        case, "system/blockMeshDict", "dictionary",
+        f"vertices ({points});\nblocks ({blocks});\n"
+        "defaultPatch { type wall; name walls; }\n"
+        f"boundary (square {{ type wall; faces ({sides}); }}\n"
+        f"frontAndBack {{ type empty; faces ({outer}); }});\n")
+    writeFile(case, "constant/materialProperties", "dictionary",
+              "fluid { type newtonianFluid; cellZones (fluid); rho 1;"
+              " mu 0.1; }\nkinematics planeStrain;\n")
+    writeFile(case, "constant/dynamicMeshDict", "dictionary",
+              DYNAMIC + "diffusivity inverseDistance (square);\n")
+    empty = {"frontAndBack": "type empty;"}
+    writeField(case, "U", "volVectorField", "(0 0 0)",
+               {**empty, "walls": "type noSlip;",
+                "square": "type movingWallVelocity; value uniform (0 0 0);"})
+    writeField(case, "p", "volScalarField", "0",
+               {**empty, '".*"': "type zeroGradient;"})
+    # Numbers that a restart reads as they were
+    omega = round(0.5*math.pi/(nSteps*dt), 6)
+    amplitude = round(math.radians(degrees), 6)
+    writeField(
+        case, "pointDisplacement", "pointVectorField", "(0 0 0)",
+        {**empty, "walls": "type fixedValue; value uniform (0 0 0);",
+         "square": "type angularOscillatingDisplacement; axis (0 0 1);"
+                   f" origin (0 0 0); angle0 0; omega {omega};"
+                   f" amplitude {amplitude};"
+                   " value uniform (0 0 0);"})
+    path = case/"system"/"fvSolution"
+    path.write_text(path.read_text().replace("(0.1 0.1 0.1)", "(1.9 1.9 0.5)"))
+
+
+def cornersLeft(case, folder):
+    """The least area of a corner over that at rest."""
+    def read(path):
+        x = values(path)
+        return [x[i:i + 3] for i in range(0, len(x), 3)]
+
+    start = read(case/"constant"/"polyMesh"/"points")
+    now = read(folder/"polyMesh"/"points")
+    # Binary: where each face begins, then the points of all
+    data = (case/"constant"/"polyMesh"/"faces").read_bytes()
+    lists = []
+    end = data.index(b"// * *")
+    for _ in range(2):
+        head = re.compile(rb"\n(\d+)\s*\(").search(data, end)
+        n = int(head[1])
+        lists.append(struct.unpack_from(f"{n}i", data, head.end()))
+        end = head.end() + 4*n
+
+    least = 1e300
+    for i, j in zip(lists[0], lists[0][1:]):
+        face = lists[1][i:j]
+        if any(abs(start[i][2]) > 1e-12 for i in face):
+            continue
+
+        def area(p, k):
+            a, b, c = (p[face[(k + i) % 4]] for i in (0, 1, 3))
+            return ((b[0] - a[0])*(c[1] - a[1]) - (b[1] - a[1])*(c[0] - a[0]))
+
+        least = min(least, *(area(now, k)/area(start, k) for k in range(4)))
+    return least
+
+
+def checkStiffening(counted, folder):
+    """From 60 degrees on the plain Laplace equation turns corners inside out
+    (independent program: -0.16 at 65)."""
+    runs = {}
+    for name, degrees in (("saved", 65), ("parallel", 65), ("parts", 65),
+                          ("lost", 89)):
+        case = folder/("square_" + name)
+        runs[name] = case
+        writeSquare(case, degrees)
+        fault = columnCase.run(case, "blockMesh")
+        if name == "parallel":
+            fault = fault or runParallel(case)
+        elif name == "parts":
+            writeControl(case, 1/64, 4, 4, 0)
+            fault = fault or columnCase.run(case, columnCase.SOLVER)
+            writeControl(case, 1/64, 8, 4, 4/64)
+            fault = fault or columnCase.run(case, columnCase.SOLVER)
+        else:
+            fault = fault or columnCase.run(case, columnCase.SOLVER)
+        if name != "lost":
+            counted.check(not fault, f"square turns, {name}: {fault or 'runs'}")
+    left = cornersLeft(runs["saved"], list(times(runs["saved"]).values())[-1])
+    counted.check(left > 0.1, f"square turns by 65 degrees: {left:.3f} of the"
+                  " worst corner is left (0.19 by an independent program)")
+    differ, count = sameFiles(runs["saved"], runs["parts"])
+    counted.check(not differ and count > 10,
+                  f"square turns, restart: {count} files bitwise"
+                + (", but " + " ".join(differ) if differ else ""))
+    for field in ("U", "pointDisplacement"):
+        a, b = (values(list(times(runs[c]).values())[-1]/field)
+                for c in ("saved", "parallel"))
+        error = max(abs(x - y) for x, y in zip(a, b))/max(map(abs, a))
+        limit = 1e-7 if field == "pointDisplacement" else 1e-4
+        counted.check(len(a) == len(b) and error < limit,
+                      f"square turns, 2 processors, {field}: differs by"
+                      f" {error:.1e}")
+    log = " ".join((runs["lost"]/"log.umfsiFoam").read_text().split())
+    found = re.search(
+        r"At time (\S+) the mesh of the fluid that follows the solid has \d+"
+        r" cells inside out, also with stiffer cells there. The worst: cell"
+        r" \d+ at \(\S+ \S+ \S+\) in zone fluid.*?: (volume \S+ m3|its face at"
+        r" \(\S+ \S+ \S+\) points inwards)", log)
+    last = list(times(runs["lost"]))[-1]
+    counted.check(bool(found) and 0 < last < float(found[1]),
+                  "square turns by 89 degrees: stops, names the worst cell,"
+                  f" time {last:g} is on disk")
+
+
 def main(arguments):
     if arguments:
         sys.exit(__doc__)
@@ -440,6 +574,7 @@ def main(arguments):
     checkVolume(counted, folder)
     checkRestart(counted, folder)
     checkParallel(counted, folder)
+    checkStiffening(counted, folder)
     return counted.close()
 
 

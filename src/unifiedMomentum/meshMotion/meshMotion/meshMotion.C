@@ -108,22 +108,36 @@ void Foam::meshMotion::checkCells() const
 
     for (const label celli : geometry.cellsAndFaces(false).cells)
     {
-        bool bad = !(geometry.V()[celli] > 0);
+        const scalar V = geometry.V()[celli];
+        label inward = -1;
 
         for (const label facei : mesh_.cells()[celli])
         {
             const scalar pyramid = S[facei] & (Cf[facei] - C[celli]);
-            bad =
-                bad
-             || !((mesh_.faceOwner()[facei] == celli ? 1 : -1)*pyramid > 0);
+            if (!((mesh_.faceOwner()[facei] == celli ? 1 : -1)*pyramid > 0))
+            {
+                inward = facei;
+            }
         }
 
-        if (bad)
+        if (!(V > 0) || inward >= 0)
         {
             ++nBad;
-            if (nBad == 1)
+
+            // What is no number comes first, as a cell of no volume
+            const scalar measure = V > 0 ? -V : std::isfinite(V) ? 0 : GREAT;
+            if (nBad == 1 || measure > worst.value())
             {
-                worst = cellPlace(mesh_, celli, 1);
+                OStringStream why;
+                if (V > 0)
+                {
+                    why << ": its face at " << Cf[inward] << " points inwards";
+                }
+                else
+                {
+                    why << ": volume " << V << " m3";
+                }
+                worst = cellPlace(mesh_, celli, measure, why.str());
             }
         }
     }
@@ -137,7 +151,8 @@ void Foam::meshMotion::checkCells() const
         FatalErrorInFunction
             << "At time " << mesh_.time().timeName() << " the mesh of the fluid"
             << " that follows the solid has " << nBad << " cells inside out,"
-            << " one of them:" << nl << "        " << worst.text().c_str() << nl
+            << " also with stiffer cells there. The worst:" << nl
+            << "        " << worst.text().c_str() << nl
             << "    The times on disk are good: the next run with startFrom"
             << " latestTime goes on from the last." << nl
             << "    Valid choices: smaller time steps; in"

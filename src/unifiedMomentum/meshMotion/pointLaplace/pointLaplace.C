@@ -20,15 +20,21 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "pointLaplace.H"
+#include "pointMultigrid.H"
 #include "indexedOctree.H"
 #include "treeDataPoint.H"
 #include "syncTools.H"
 
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+const Foam::scalar Foam::pointLaplace::leastShape = 0.3;
+const Foam::label Foam::pointLaplace::maxStiffenings = 10;
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::pointLaplace::setWeights
+void Foam::pointLaplace::setDistances
 (
-    const labelList& cells,
     const pointField& movingPoints,
     const scalar exponent
 )
@@ -51,28 +57,6 @@ void Foam::pointLaplace::setWeights
     }
     reduce(moving, sumOp<vectorField>());
 
-    weights_.setSize(mesh_.nEdges(), 0);
-
-    for (const label celli : cells)
-    {
-        for (const label edgei : mesh_.cellEdges()[celli])
-        {
-            weights_[edgei] +=
-                mesh_.cellVolumes()[celli]
-               /magSqr(mesh_.edges()[edgei].vec(mesh_.points()));
-        }
-    }
-
-    DynamicList<label> edges;
-    forAll(weights_, edgei)
-    {
-        if (weights_[edgei] > 0)
-        {
-            edges.append(edgei);
-        }
-    }
-    edges_.transfer(edges);
-
     if (exponent == 0 || moving.empty())
     {
         return;
@@ -93,17 +77,55 @@ void Foam::pointLaplace::setWeights
     for (const label edgei : edges_)
     {
         const edge& e = mesh_.edges()[edgei];
-        const point centre(e.centre(mesh_.points()));
+        const point centre(e.centre(points0_));
         const pointIndexHit nearest(tree.findNearest(centre, sqr(GREAT)));
 
         // The nearest edges are half their own length away
         const scalar l = max
         (
             mag(moving[nearest.index()] - centre),
-            0.5*e.mag(mesh_.points())
+            0.5*e.mag(points0_)
         );
 
-        weights_[edgei] /= Foam::pow(l, exponent);
+        distances_[edgei] = Foam::pow(l, exponent);
+    }
+}
+
+
+void Foam::pointLaplace::setWeights(const scalarField& stiffness)
+{
+    weights_ = 0;
+
+    forAll(cells_, i)
+    {
+        const label celli = cells_[i];
+
+        for (const label edgei : mesh_.cellEdges()[celli])
+        {
+            weights_[edgei] +=
+                stiffness[i]*V0_[i]/magSqr(mesh_.edges()[edgei].vec(points0_));
+        }
+    }
+
+    weights_ /= distances_;
+    diag_ = 0;
+
+    for (const label edgei : edges_)
+    {
+        diag_[mesh_.edges()[edgei].start()] += weights_[edgei];
+        diag_[mesh_.edges()[edgei].end()] += weights_[edgei];
+    }
+
+    syncTools::syncPointList(mesh_, diag_, plusEqOp<scalar>(), scalar(0));
+
+    // Points of other cells stay
+    forAll(diag_, pointi)
+    {
+        if (diag_[pointi] == 0)
+        {
+            free_[pointi] = Zero;
+            diag_[pointi] = 1;
+        }
     }
 }
 
@@ -116,9 +138,10 @@ void Foam::pointLaplace::differences
 {
     sum = Zero;
 
+    const edgeList& edges = mesh_.edges();
     for (const label edgei : edges_)
     {
-        const edge& e = mesh_.edges()[edgei];
+        const edge& e = edges[edgei];
         const vector difference(weights_[edgei]*(d[e.end()] - d[e.start()]));
         sum[e.start()] += difference;
         sum[e.end()] -= difference;
@@ -153,6 +176,56 @@ Foam::scalar Foam::pointLaplace::dot
 }
 
 
+void Foam::pointLaplace::precondition
+(
+    const vectorField& r,
+    vectorField& s
+) const
+{
+    multigrid_->precondition(r, s);
+
+    forAll(s, pointi)
+    {
+        const vector all(s[pointi]);
+        s[pointi] = free_[pointi] & all;
+    }
+}
+
+
+Foam::label Foam::pointLaplace::iterate(vectorField& d) const
+{
+    const label maxIter = 2000;
+    const scalar tolerance = 1e-10;
+
+    vectorField r(d.size());
+    vectorField s(d.size());
+    vectorField q(d.size());
+
+    differences(d, r);
+    precondition(r, s);
+    vectorField direction(s);
+    scalar rs = dot(r, s);
+    const scalar target = sqr(tolerance)*dot(diag_*d, d);
+
+    label nIter = 0;
+    while (rs > target && rs > VSMALL && nIter < maxIter)
+    {
+        differences(direction, q);
+        const scalar alpha = -rs/dot(direction, q);
+        d += alpha*direction;
+        r += alpha*q;
+        precondition(r, s);
+
+        const scalar oldRs = rs;
+        rs = dot(r, s);
+        direction = s + (rs/oldRs)*direction;
+        ++nIter;
+    }
+
+    return nIter;
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::pointLaplace::pointLaplace
@@ -165,69 +238,80 @@ Foam::pointLaplace::pointLaplace
 )
 :
     mesh_(mesh),
+    points0_(mesh.points()),
+    cells_(cells),
+    V0_(mesh.cellVolumes(), cells),
+    shape_(mesh, cells),
+    distances_(mesh.nEdges(), 1),
+    weights_(mesh.nEdges(), 0),
+    edges_(),
     free_(free),
     diag_(mesh.nPoints(), 0),
     share_(mesh.nPoints(), 1)
 {
-    setWeights
-    (
-        cells,
-        pointField(mesh.points(), movingPoints),
-        exponent
-    );
-
-    for (const label edgei : edges_)
+    boolList used(mesh.nEdges(), false);
+    for (const label celli : cells)
     {
-        diag_[mesh.edges()[edgei].start()] += weights_[edgei];
-        diag_[mesh.edges()[edgei].end()] += weights_[edgei];
+        UIndirectList<bool>(used, mesh.cellEdges()[celli]) = true;
+    }
+    forAll(used, edgei)
+    {
+        if (used[edgei])
+        {
+            edges_.append(edgei);
+        }
     }
 
-    syncTools::syncPointList(mesh, diag_, plusEqOp<scalar>(), scalar(0));
+    setDistances(pointField(mesh.points(), movingPoints), exponent);
+    setWeights(scalarField(cells.size(), 1));
+
     syncTools::syncPointList(mesh, share_, plusEqOp<scalar>(), scalar(0));
     share_ = 1/share_;
 
-    // Points of other cells stay
-    forAll(diag_, pointi)
-    {
-        if (diag_[pointi] == 0)
-        {
-            free_[pointi] = Zero;
-            diag_[pointi] = 1;
-        }
-    }
+    multigrid_.reset
+    (
+        new pointMultigrid(mesh, edges_, weights_, diag_, free_, share_)
+    );
 }
+
+
+// * * * * * * * * * * * * * * * * Destructor  * * * * * * * * * * * * * * * //
+
+Foam::pointLaplace::~pointLaplace()
+{}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::label Foam::pointLaplace::solve(vectorField& d) const
+Foam::label Foam::pointLaplace::solve(vectorField& d)
 {
-    const label maxIter = 2000;
-    const scalar tolerance = 1e-10;
+    label nIter = iterate(d);
 
-    vectorField r(d.size());
-    vectorField s(d.size());
-    vectorField q(d.size());
+    scalarField stiffness(cells_.size(), 1);
+    bool stiffened = false;
 
-    differences(d, r);
-    s = r/diag_;
-    vectorField direction(s);
-    scalar rs = dot(r, s);
-    const scalar target = sqr(tolerance)*dot(diag_*d, d);
-
-    label nIter = 0;
-    while (rs > target && rs > VSMALL && nIter < maxIter)
+    for (label stiffening = 0; stiffening < maxStiffenings; ++stiffening)
     {
-        differences(direction, q);
-        const scalar alpha = -rs/dot(direction, q);
-        d += alpha*direction;
-        r += alpha*q;
-        s = r/diag_;
+        const scalarField left(shape_.left(points0_ + d));
 
-        const scalar oldRs = rs;
-        rs = dot(r, s);
-        direction = s + (rs/oldRs)*direction;
-        ++nIter;
+        if (!returnReduce(min(left) < leastShape, orOp<bool>()))
+        {
+            break;
+        }
+
+        forAll(left, i)
+        {
+            stiffness[i] *=
+                2 - min(max(left[i]/leastShape, scalar(0)), scalar(1));
+        }
+        setWeights(stiffness);
+        stiffened = true;
+        nIter += iterate(d);
+    }
+
+    if (stiffened)
+    {
+        setWeights(scalarField(cells_.size(), 1));
     }
 
     return nIter;

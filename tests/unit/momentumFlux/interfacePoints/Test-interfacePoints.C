@@ -23,6 +23,7 @@ License
 #include "testing.H"
 #include "interfacePoints.H"
 #include "pointLaplace.H"
+#include "transformField.H"
 #include "sweptVolume.H"
 
 using namespace Foam;
@@ -132,7 +133,7 @@ static void testLaplace(const fvMesh& mesh, const scalar exponent)
         }
     }
 
-    const pointLaplace laplace
+    pointLaplace laplace
     (
         mesh,
         identity(mesh.nCells()),
@@ -140,9 +141,9 @@ static void testLaplace(const fvMesh& mesh, const scalar exponent)
         mesh.boundaryMesh()[0].meshPoints(),
         exponent
     );
-    laplace.solve(d);
-
     const string name("exponent " + Foam::name(exponent));
+    check(laplace.solve(d) <= 2, name + ": the matrix is factorised");
+
     if (exponent == 0)
     {
         checkSmall
@@ -159,6 +160,181 @@ static void testLaplace(const fvMesh& mesh, const scalar exponent)
 
     const vectorField before(d);
     check(laplace.solve(d) == 0 && before == d, name + ": starts from d");
+}
+
+
+//- More points than are factorised, sides with and without slip
+static void testMultigrid(const Time& runTime)
+{
+    const polyhedra cells
+    (
+        hexes(uniform(0, 1, 20), uniform(0, 1, 20), uniform(0, 0.5, 20))
+    );
+    const autoPtr<fvMesh> mesh
+    (
+        boxMesh
+        (
+            runTime,
+            cells,
+            cells.points,
+            [](const point&){ return word("fluid"); }
+        )
+    );
+
+    symmTensorField free(mesh().nPoints(), symmTensor::I);
+    vectorField d(mesh().nPoints(), Zero);
+    const vectorField exact(mesh().points().component(0)*vector(0.1, 0, 0));
+    DynamicList<label> moving;
+    forAll(free, pointi)
+    {
+        const point& x = mesh().points()[pointi];
+        if (x.x() < SMALL || x.x() > 1 - SMALL)
+        {
+            free[pointi] = Zero;
+            d[pointi] = exact[pointi];
+            moving.append(pointi);
+        }
+        else if (x.y() < SMALL || x.y() > 1 - SMALL)
+        {
+            free[pointi] = symmTensor(1, 0, 0, 0, 0, 1);
+        }
+    }
+
+    pointLaplace laplace
+    (
+        mesh(), identity(mesh().nCells()), free, moving, 0
+    );
+    const label nIter = laplace.solve(d);
+    Info<< "    multigrid: " << nIter << " iterations" << endl;
+    check(nIter > 2 && nIter <= 25, "multigrid: at most 25 iterations");
+    checkSmall(max(mag(d - exact)()), 1e-8, "multigrid: linear displacement");
+}
+
+
+//- A turn by any angle leaves all of a cell's shape, a stretch its factor
+static void testDistortion(const fvMesh& mesh, const string& name)
+{
+    const labelList cells(identity(mesh.nCells()));
+    const cellDistortion shape(mesh, cells);
+
+    checkSmall
+    (
+        max(mag(shape.left(mesh.points())() - 1)()), 1e-13, name + ": at rest"
+    );
+
+    const tensor R
+    (
+        rotationTensor(vector(1, 0, 0), vector(-0.6, 0.64, 0.48))
+    );
+    checkSmall
+    (
+        max(mag(shape.left(transform(R, mesh.points())())() - 1)()),
+        1e-12,
+        name + ": turned"
+    );
+
+    const tensor F(0.5, 0.3, 0, 0, 1.2, 0, 0, 0.1, 1);
+    checkSmall
+    (
+        max(mag(shape.left(transform(F, mesh.points())())() - 0.6)()),
+        1e-12,
+        name + ": uniform deformation"
+    );
+
+    // The first point of the first cell, moved through that cell
+    pointField points(mesh.points());
+    const label pointi = mesh.cellPoints()[0][0];
+    points[pointi] += 1.5*(mesh.cellCentres()[0] - points[pointi]);
+    check(min(shape.left(points)()) < 0, name + ": a corner inside out");
+}
+
+
+//- A flag bends in a channel: with stiffer cells further than without
+static void testStiffening(const Time& runTime)
+{
+    const scalar length = 0.35;
+    const polyhedra cells
+    (
+        hexes(uniform(0, 0.85, 34), uniform(0, 0.4, 16), uniform(0, 0.1, 1))
+    );
+    const autoPtr<fvMesh> mesh
+    (
+        boxMesh
+        (
+            runTime,
+            cells,
+            cells.points,
+            [](const point&){ return word("fluid"); }
+        )
+    );
+
+    symmTensorField free(mesh().nPoints(), symmTensor(1, 0, 0, 1, 0, 0));
+    for (const label patchi : {0, 1, 2, 3})
+    {
+        for (const label pointi : mesh().boundaryMesh()[patchi].meshPoints())
+        {
+            free[pointi] = Zero;
+        }
+    }
+
+    DynamicList<label> flag;
+    forAll(free, pointi)
+    {
+        const point& x = mesh().points()[pointi];
+        if (mag(x.y() - 0.2) < SMALL && x.x() < length + SMALL)
+        {
+            free[pointi] = Zero;
+            flag.append(pointi);
+        }
+    }
+
+    const labelList all(identity(mesh().nCells()));
+    pointLaplace laplace(mesh(), all, free, flag, 1);
+    const cellDistortion shape(mesh(), all);
+
+    // An arc of angle a, times a factor
+    const auto solve = [&](const scalar a, const scalar factor)
+    {
+        vectorField d(mesh().nPoints(), Zero);
+        for (const label pointi : flag)
+        {
+            const scalar s = mesh().points()[pointi].x();
+            const scalar r = length/a;
+            d[pointi] =
+                factor
+               *vector(r*Foam::sin(s/r) - s, r*(1 - Foam::cos(s/r)), 0);
+        }
+        laplace.solve(d);
+        return vectorField(d/factor);
+    };
+    const auto least = [&](const vectorField& d)
+    {
+        return min(shape.left(mesh().points() + d)());
+    };
+
+    // Of small displacements the solution is linear
+    scalar plain = 0;
+    scalar stiffened = 0;
+    scalar jump = 0;
+    for (scalar a = 0.2; a < 1.4; a += 0.02)
+    {
+        const vectorField d(solve(a, 1));
+        plain = least(solve(a, 1e-3)) > 0 ? a : plain;
+        stiffened = least(d) > 0 ? a : stiffened;
+        const vectorField near(solve(a*(1 + 1e-7), 1));
+        jump = max(jump, max(mag(near - d)()));
+    }
+    Info<< "    angles of the flag: " << plain << ", with stiffening "
+        << stiffened << endl;
+    check(stiffened > 1.1*plain, "stiffening lets the flag bend further");
+    checkSmall(jump, 1e-5, "displacements of points do not jump");
+
+    const vectorField d(solve(stiffened, 1));
+    solve(0.5*stiffened, 1);
+    checkSmall
+    (
+        max(mag(solve(stiffened, 1) - d)()), 1e-12, "nor do they remember"
+    );
 }
 
 
@@ -245,6 +421,27 @@ int main()
     testLaplace(mesh(), 0);
     testLaplace(mesh(), 1);
     testLaplace(mesh(), 2);
+
+    testMultigrid(runTime());
+
+    testDistortion(mesh(), "hexes");
+    const polyhedra prismCells
+    (
+        prisms(uniform(0, 2, 3), uniform(0, 2, 3), uniform(0, 1, 2))
+    );
+    const polyhedra tetCells
+    (
+        tetrahedra(uniform(0, 2, 2), uniform(0, 2, 2), uniform(0, 1, 2))
+    );
+    const polyhedra hexagonCells
+    (
+        hexagons(uniform(0, 4, 8), uniform(0, 2, 4), uniform(0, 1, 2))
+    );
+    for (const polyhedra* p : {&prismCells, &tetCells, &hexagonCells})
+    {
+        testDistortion(boxMesh(runTime(), *p, p->points, zoneOf)(), "others");
+    }
+    testStiffening(runTime());
 
     return close();
 }
