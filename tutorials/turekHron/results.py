@@ -1,18 +1,22 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Read the motion of the flag's tip and compare it with the reference.
+"""Read the motion of the flag's tip and the force on cylinder and flag, and
+compare them with the reference.
 
-Standard library only.
+Means and amplitudes are (max + min)/2 and (max - min)/2, as in the reference:
+of the last two periods, of CSM3 those of all maxima and minima. Standard
+library only.
 """
 
+import csv
 import math
 import os
 import re
 
-STEADY = ("CSM1", "CSM2")
+NAMES = ("ux", "uy", "drag", "lift")
 
 
 def case_name(case):
-    """CSM1, CSM2 or CSM3, as the dictionaries choose."""
+    """CSM1, ..., FSI3, as the dictionaries choose."""
     name = None
     for file in ("parameters", "case.local"):
         path = os.path.join(case, "system", file)
@@ -25,29 +29,46 @@ def case_name(case):
     return name
 
 
-def history(case):
-    """Lists of time, u_x, u_y of the point A, in s and m."""
-    folder = os.path.join(case, "postProcessing", "tip")
+def read(case, name, files):
+    """Rows of numbers of a function object, by time."""
+    folder = os.path.join(case, "postProcessing", name)
     rows = {}
-    for start in sorted(os.listdir(folder), key=float):
-        path = os.path.join(folder, start, "surfaceFieldValue.dat")
-        with open(path, encoding="utf-8") as lines:
-            for line in lines:
-                if not line.startswith("#"):
-                    values = line.replace("(", " ").replace(")", " ").split()
-                    rows[float(values[0])] = [float(v) for v in values[1:3]]
-    times = sorted(rows)
-    return times, [rows[t][0] for t in times], [rows[t][1] for t in times]
+    if os.path.isdir(folder):
+        for start in sorted(os.listdir(folder), key=float):
+            for file in files:
+                path = os.path.join(folder, start, file)
+                if os.path.isfile(path):
+                    with open(path, encoding="utf-8") as lines:
+                        for line in lines:
+                            if not line.startswith("#"):
+                                values = re.sub("[()]", " ", line).split()
+                                rows[float(values[0])] = [
+                                    float(v) for v in values[1:]]
+    return rows
+
+
+def history(case):
+    """Times [s], and lists of u_x, u_y of the point A [m], drag and lift [N/m]
+    by name, of what the case has."""
+    tip = read(case, "tip", ("pointDisplacement.dat",))
+    load = read(case, "load", ("interfaceForce.dat", "force.dat"))
+    times = sorted(tip or load)
+    columns = {}
+    for names, rows in ((NAMES[:2], tip), (NAMES[2:], load)):
+        if rows:
+            for i, name in enumerate(names):
+                columns[name] = [rows[t][i] for t in times]
+    return times, columns
 
 
 def reference(case):
-    """The row of reference/tip.csv of the case, by names of columns."""
-    path = os.path.join(case, "reference", "tip.csv")
+    """The row of reference/turekHron.csv of the case, by names of columns,
+    without those that are empty."""
+    path = os.path.join(case, "reference", "turekHron.csv")
     with open(path, encoding="utf-8") as lines:
-        rows = [line.strip().split(",") for line in lines if line[0] != "#"]
-    for row in rows[1:]:
-        if row[0] == case_name(case):
-            return dict(zip(rows[0][1:], (float(v) for v in row[1:])))
+        for row in csv.DictReader(l for l in lines if l[0] != "#"):
+            if row.pop("case") == case_name(case):
+                return {name: float(v) for name, v in row.items() if v}
     raise ValueError("no reference of " + str(case_name(case)))
 
 
@@ -80,13 +101,37 @@ def oscillation(times, values):
     return 0.5*(top + bottom), 0.5*(top - bottom), n/(low[n][0] - low[0][0])
 
 
+def periods(times, values, n):
+    """First time of the last n periods, and their frequency."""
+    # Of what has grown to its full size
+    start = len(times)//2
+    low = extrema(times[start:], values[start:], -1)
+    if len(low) < n + 1:
+        return math.nan, math.nan
+    return low[-1 - n][0], n/(low[-1][0] - low[-1 - n][0])
+
+
 def computed(case):
     """The quantities of the reference."""
-    times, ux, uy = history(case)
-    if case_name(case) in STEADY:
-        return {"ux": ux[-1], "uxAmplitude": 0, "uy": uy[-1],
-                "uyAmplitude": 0, "frequency": 0}
-    x = oscillation(times, ux)
-    y = oscillation(times, uy)
-    return {"ux": x[0], "uxAmplitude": x[1], "uy": y[0],
-            "uyAmplitude": y[1], "frequency": y[2]}
+    times, columns = history(case)
+    wanted = reference(case)
+    result = {}
+
+    if "frequency" not in wanted:
+        for name, values in columns.items():
+            result[name] = values[-1]
+    elif "drag" not in wanted:
+        for name, values in columns.items():
+            result[name], result[name + "Amplitude"], frequency = oscillation(
+                times, values)
+        result["frequency"] = frequency
+    else:
+        main = columns["uy" if "uy" in columns else "lift"]
+        start, _ = periods(times, main, 2)
+        _, result["frequency"] = periods(times, main, 4)
+        for name, values in columns.items():
+            last = [v for t, v in zip(times, values) if t >= start]
+            result[name] = 0.5*(max(last) + min(last)) if last else math.nan
+            result[name + "Amplitude"] = (
+                0.5*(max(last) - min(last)) if last else math.nan)
+    return result
