@@ -22,6 +22,7 @@ License
 #include "caseWarnings.H"
 #include "unreadFiles.H"
 #include "OStringStream.H"
+#include "mathematicalConstants.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -238,6 +239,43 @@ void Foam::caseWarnings::checkMaterials() const
 }
 
 
+void Foam::caseWarnings::checkDamping() const
+{
+    const scalar stepsOfPeriod = 10;
+    const scalar mostLost = 0.05;
+
+    const Time& time = figures_.mesh.time();
+    const scalar period = figures_.times.bending;
+    const scalar dt = time.deltaTValue();
+    const word scheme(figures_.mesh.ddtScheme("ddt(U)"));
+
+    if (scheme != "Euler" || !(period > 0))
+    {
+        return;
+    }
+
+    // Of a free vibration, for small steps
+    const scalar lost =
+        1 - Foam::exp(-2*sqr(constant::mathematical::pi)*dt/period);
+
+    // Longer steps mean a steady state, shorter runs no vibration
+    if
+    (
+        lost > mostLost
+     && stepsOfPeriod*dt < period
+     && 2*(time.endTime().value() - time.startTime().value()) > period
+    )
+    {
+        WarningInFunction
+            << "ddtSchemes is Euler, and solids vibrate with a period of about "
+            << period << " s: with deltaT " << dt << " s Euler takes "
+            << 100*lost << " % of the amplitude in each" << nl
+            << "    backward keeps it; for a steady state take longer steps"
+            << endl;
+    }
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::caseWarnings::caseWarnings(const caseFigures& figures)
@@ -255,6 +293,7 @@ void Foam::caseWarnings::warn() const
     checkFlux();
     checkScale();
     checkMaterials();
+    checkDamping();
     unreadFiles(figures_.mesh).warn();
 }
 
