@@ -252,7 +252,8 @@ Foam::unifiedSystem::unifiedSystem(fvMesh& mesh)
             fields_.p(),
             fields_.rho(),
             fields_.sigma(),
-            fields_.traction()
+            fields_.traction(),
+            flux_.geometry()
         )
     );
 
