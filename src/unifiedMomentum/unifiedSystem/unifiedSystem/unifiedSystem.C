@@ -296,7 +296,7 @@ Foam::unifiedSystem& Foam::unifiedSystem::of
         return *system;
     }
 
-    if (!obr.foundObject<unifiedSystem>(typeName))
+    if (!made(obr))
     {
         FatalErrorInFunction
             << "Function object " << asker << " runs with umfsiFoam only"
@@ -304,6 +304,12 @@ Foam::unifiedSystem& Foam::unifiedSystem::of
     }
 
     return obr.lookupObjectRef<unifiedSystem>(typeName);
+}
+
+
+bool Foam::unifiedSystem::made(const objectRegistry& obr)
+{
+    return obr.foundObject<unifiedSystem>(typeName);
 }
 
 
