@@ -65,6 +65,31 @@ namespace Foam
 
         return mesh;
     }
+
+
+    //- While it lives messages and warnings are off, but the first time
+    class sayOnce
+    {
+        const int level_;
+
+    public:
+
+        explicit sayOnce(bool& said)
+        :
+            level_(messageStream::level)
+        {
+            if (said)
+            {
+                messageStream::level = 0;
+            }
+            said = true;
+        }
+
+        ~sayOnce()
+        {
+            messageStream::level = level_;
+        }
+    };
 }
 
 
@@ -99,7 +124,12 @@ void Foam::unifiedSystem::tryOut()
     flux_.setBetaDt(mesh_.time().deltaTValue());
     flux_.updateBoundary(fields_.U(), fields_.p());
     flux_.setConvection(fields_.phi(), fields_.U());
-    system_.tryOut();
+
+    // Times on disk are not solved for
+    if (!functionObject::postProcess)
+    {
+        system_.tryOut();
+    }
 }
 
 
@@ -269,6 +299,21 @@ Foam::unifiedSystem::~unifiedSystem() = default;
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+Foam::autoPtr<Foam::unifiedSystem> Foam::unifiedSystem::ofTimeOnDisk
+(
+    fvMesh& mesh
+)
+{
+    static bool said = false;
+    const sayOnce once(said);
+
+    autoPtr<unifiedSystem> system(new unifiedSystem(mesh));
+    system->evaluate();
+
+    return system;
+}
+
+
 Foam::unifiedSystem& Foam::unifiedSystem::of
 (
     const objectRegistry& obr,
@@ -288,9 +333,8 @@ Foam::unifiedSystem& Foam::unifiedSystem::of
         }
         if (!system)
         {
-            system = new unifiedSystem(const_cast<fvMesh&>(mesh));
+            system = ofTimeOnDisk(const_cast<fvMesh&>(mesh)).ptr();
             regIOobject::store(system);
-            system->evaluate();
         }
 
         return *system;
@@ -479,8 +523,17 @@ Foam::energies Foam::unifiedSystem::energy()
 
 
 Foam::List<Foam::enclosedFluids::region>
-Foam::unifiedSystem::enclosedRegions() const
+Foam::unifiedSystem::enclosedRegions()
 {
+    if (functionObject::postProcess)
+    {
+        static bool said = false;
+        const sayOnce once(said);
+
+        // The compliance of walls, left out in tryOut
+        system_.tryOut();
+    }
+
     return system_.enclosed().regions(fields_.Df(), fields_.p());
 }
 
