@@ -24,7 +24,6 @@ License
 #include "caseWarnings.H"
 #include "fieldCheck.H"
 #include "laminarStress.H"
-#include "faceValue.H"
 #include "functionObject.H"
 #include "interfaceFaces.H"
 #include "patchCheck.H"
@@ -65,31 +64,6 @@ namespace Foam
 
         return mesh;
     }
-
-
-    //- While it lives messages and warnings are off, but the first time
-    class sayOnce
-    {
-        const int level_;
-
-    public:
-
-        explicit sayOnce(bool& said)
-        :
-            level_(messageStream::level)
-        {
-            if (said)
-            {
-                messageStream::level = 0;
-            }
-            said = true;
-        }
-
-        ~sayOnce()
-        {
-            messageStream::level = level_;
-        }
-    };
 }
 
 
@@ -299,64 +273,6 @@ Foam::unifiedSystem::~unifiedSystem() = default;
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::autoPtr<Foam::unifiedSystem> Foam::unifiedSystem::ofTimeOnDisk
-(
-    fvMesh& mesh
-)
-{
-    static bool said = false;
-    const sayOnce once(said);
-
-    autoPtr<unifiedSystem> system(new unifiedSystem(mesh));
-    system->evaluate();
-
-    return system;
-}
-
-
-Foam::unifiedSystem& Foam::unifiedSystem::of
-(
-    const objectRegistry& obr,
-    const word& asker
-)
-{
-    if (functionObject::postProcess && isA<fvMesh>(obr))
-    {
-        const fvMesh& mesh = refCast<const fvMesh>(obr);
-        unifiedSystem* system = mesh.getObjectPtr<unifiedSystem>(typeName);
-
-        if (system && system->instance() != mesh.time().timeName())
-        {
-            // Of the time before, made below
-            system->checkOut();
-            system = nullptr;
-        }
-        if (!system)
-        {
-            system = ofTimeOnDisk(const_cast<fvMesh&>(mesh)).ptr();
-            regIOobject::store(system);
-        }
-
-        return *system;
-    }
-
-    if (!made(obr))
-    {
-        FatalErrorInFunction
-            << "Function object " << asker << " runs with umfsiFoam only"
-            << exit(FatalError);
-    }
-
-    return obr.lookupObjectRef<unifiedSystem>(typeName);
-}
-
-
-bool Foam::unifiedSystem::made(const objectRegistry& obr)
-{
-    return obr.foundObject<unifiedSystem>(typeName);
-}
-
-
 void Foam::unifiedSystem::describe(const bool all) const
 {
     const caseFigures figures(fields_, flux_.geometry());
@@ -487,54 +403,9 @@ void Foam::unifiedSystem::conclude() const
 }
 
 
-void Foam::unifiedSystem::evaluate()
-{
-    const fluxGeometry& geometry = flux_.geometry();
-    unifiedVector z(system_.z());
-    fields_.toUnknowns(geometry, 0, z);
-
-    vectorField uf(mesh_.nFaces(), Zero);
-    flux_.patchVelocities(z, uf);
-
-    // D = D* + beta dt U, the other way round
-    momentumFlux::displacementVelocity star
-    {
-        fields_.D().primitiveField()/flux_.betaDt() - z.U,
-        vectorField(mesh_.nFaces(), Zero)
-    };
-    for (const labelList& faces :
-        {geometry.cellsAndFaces(true).ownSides, geometry.unknownFaces()})
-    {
-        for (const label facei : faces)
-        {
-            star.faces[facei] =
-                faceValue(fields_.Df(), facei)/flux_.betaDt() - uf[facei];
-        }
-    }
-
-    derived_.setStress(z, star);
-}
-
-
 Foam::energies Foam::unifiedSystem::energy()
 {
     return energies(fields_, flux_, system_.mass());
-}
-
-
-Foam::List<Foam::enclosedFluids::region>
-Foam::unifiedSystem::enclosedRegions()
-{
-    if (functionObject::postProcess)
-    {
-        static bool said = false;
-        const sayOnce once(said);
-
-        // The compliance of walls, left out in tryOut
-        system_.tryOut();
-    }
-
-    return system_.enclosed().regions(fields_.Df(), fields_.p());
 }
 
 
