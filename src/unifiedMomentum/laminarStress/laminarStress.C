@@ -20,6 +20,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "laminarStress.H"
+#include "fluxGeometry.H"
 #include "guarded.H"
 #include "emptyFvPatch.H"
 #include "symmetryPlaneFvPatch.H"
@@ -129,7 +130,8 @@ Foam::laminarStress::laminarStress
     const volScalarField& p,
     const volScalarField& rho,
     const volSymmTensorField& sigma,
-    const surfaceVectorField& traction
+    const surfaceVectorField& traction,
+    const fluxGeometry& geometry
 )
 :
     // The model reads a file in its constructor: one that is there, whose
@@ -147,7 +149,8 @@ Foam::laminarStress::laminarStress
     p_(p),
     density_(rho),
     sigma_(sigma),
-    traction_(traction)
+    traction_(traction),
+    geometry_(geometry)
 {
     rename(turbulenceModel::propertiesName);
 
@@ -208,7 +211,16 @@ Foam::tmp<Foam::volSymmTensorField> Foam::laminarStress::devRhoReff() const
 
         forAll(patch, i)
         {
-            const vector t(traction_.boundaryField()[patchi][i] + p[i]*n[i]);
+            const label facei = patch.start() + i;
+            const bool solid = 
+                geometry_.materials().solid(patch.faceCells()[i]);
+            const scalar area =
+                mag(geometry_.S(solid)[facei])/patch.magSf()[i];
+
+            const vector t
+            (
+                area*traction_.boundaryField()[patchi][i] + p[i]*n[i]
+            );
 
             sPatch[i] =
                 ((t & n[i])*sqr(n[i]) - twoSymm(t*n[i]))

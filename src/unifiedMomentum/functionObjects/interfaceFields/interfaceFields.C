@@ -59,6 +59,30 @@ bool Foam::functionObjects::interfaceFields::read(const dictionary& dict)
 {
     fvMeshFunctionObject::read(dict);
     dict_ = dict;
+    formats_ = dict.getOrDefault<wordList>("formats", wordList(1, word("vtk")));
+
+    for (const word& format : formats_)
+    {
+        if (!surfaceWriter::supportedType(format))
+        {
+            FatalIOErrorInFunction(dict)
+                << "Entry 'formats': " << format << " is no format of surfaces"
+                << nl << "    Valid choices: "
+                << flatOutput
+                   (
+                       surfaceWriter::wordConstructorTablePtr_->sortedToc()
+                   )
+                << exit(FatalIOError);
+        }
+    }
+
+    // Wrong entries are told before the first step
+    if (unifiedSystem::made(obr_))
+    {
+        const unifiedSystem& system = unifiedSystem::of(obr_, name());
+
+        interfaceFaces(system.fields().materials(), mesh_, dict_);
+    }
 
     return true;
 }
@@ -110,13 +134,16 @@ bool Foam::functionObjects::interfaceFields::write()
         time_.globalPath()/outputPrefix/name()/time_.timeName()
     );
 
-    for
-    (
-        const word& format :
-        dict_.getOrDefault<wordList>("formats", wordList(1, word("vtk")))
-    )
+    for (const word& format : formats_)
     {
-        autoPtr<surfaceWriter> writer(surfaceWriter::New(format));
+        autoPtr<surfaceWriter> writer
+        (
+            surfaceWriter::New
+            (
+                format,
+                dict_.subOrEmptyDict("formatOptions").subOrEmptyDict(format)
+            )
+        );
 
         writer->open(points, localFaces, folder/"interface");
         writer->write("traction", traction);

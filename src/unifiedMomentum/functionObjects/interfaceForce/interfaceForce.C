@@ -133,6 +133,15 @@ bool Foam::functionObjects::interfaceForce::read(const dictionary& dict)
         dict.getOrDefault<point>("origin", Zero)
     );
 
+    // Wrong entries are told before the first step
+    if (unifiedSystem::made(obr_))
+    {
+        const unifiedSystem& system = unifiedSystem::of(obr_, name());
+
+        interfaceFaces(system.fields().materials(), mesh_, dict_);
+        patchFaces(system);
+    }
+
     return true;
 }
 

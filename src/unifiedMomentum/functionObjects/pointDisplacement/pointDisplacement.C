@@ -132,6 +132,12 @@ bool Foam::functionObjects::pointDisplacement::read(const dictionary& dict)
     points_ = dict.get<pointField>("points");
     cells_.clear();
 
+    // Wrong entries are told before the first step
+    if (unifiedSystem::made(obr_))
+    {
+        find(unifiedSystem::of(obr_, name()).flux().geometry());
+    }
+
     return true;
 }
 

@@ -36,6 +36,35 @@ namespace functionObjects
 }
 
 
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::boolList Foam::functionObjects::stressComponents::select
+(
+    const materialZones& materials
+) const
+{
+    boolList selected(mesh_.nCells(), false);
+
+    if (dict_.found("zones"))
+    {
+        for (const word& zone : dict_.get<wordList>("zones"))
+        {
+            const boolList cells(materials.cells(zone, dict_));
+            forAll(cells, celli)
+            {
+                selected[celli] = selected[celli] || cells[celli];
+            }
+        }
+    }
+    else
+    {
+        UIndirectList<bool>(selected, materials.cells(true)) = true;
+    }
+
+    return selected;
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::functionObjects::stressComponents::stressComponents
@@ -119,6 +148,12 @@ bool Foam::functionObjects::stressComponents::read(const dictionary& dict)
     writeFile::read(dict);
     dict_ = dict;
 
+    // Wrong entries are told before the first step
+    if (unifiedSystem::made(obr_))
+    {
+        select(unifiedSystem::of(obr_, name()).fields().materials());
+    }
+
     return true;
 }
 
@@ -126,24 +161,7 @@ bool Foam::functionObjects::stressComponents::read(const dictionary& dict)
 bool Foam::functionObjects::stressComponents::execute()
 {
     const unifiedFields& fields = unifiedSystem::of(obr_, name()).fields();
-    const materialZones& materials = fields.materials();
-    boolList selected(mesh_.nCells(), false);
-
-    if (dict_.found("zones"))
-    {
-        for (const word& zone : dict_.get<wordList>("zones"))
-        {
-            const boolList cells(materials.cells(zone, dict_));
-            forAll(cells, celli)
-            {
-                selected[celli] = selected[celli] || cells[celli];
-            }
-        }
-    }
-    else
-    {
-        UIndirectList<bool>(selected, materials.cells(true)) = true;
-    }
+    const boolList selected(select(fields.materials()));
 
     minEq_ = GREAT;
     maxEq_ = -GREAT;

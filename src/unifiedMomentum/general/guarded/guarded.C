@@ -254,13 +254,25 @@ void Foam::functionObjects::guarded::create(const dictionary& dict)
     on_ = true;
     strict_ = false;
 
+    // Before it counts
+    strict_ = attempt
+    (
+        "start",
+        [&]()
+        {
+            return dict.getOrDefault<word>("errors", "warn") == "strict";
+        }
+    );
+    if (!on_)
+    {
+        return;
+    }
+
     attempt
     (
         "start",
         [&]()
         {
-            strict_ = dict.getOrDefault<word>("errors", "warn") == "strict";
-
             checkUnchanging(dict);
 
             if (timeControl::entriesPresent(dict))

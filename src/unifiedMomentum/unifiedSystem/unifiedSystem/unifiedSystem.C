@@ -24,7 +24,6 @@ License
 #include "caseWarnings.H"
 #include "fieldCheck.H"
 #include "laminarStress.H"
-#include "faceValue.H"
 #include "functionObject.H"
 #include "interfaceFaces.H"
 #include "patchCheck.H"
@@ -99,7 +98,12 @@ void Foam::unifiedSystem::tryOut()
     flux_.setBetaDt(mesh_.time().deltaTValue());
     flux_.updateBoundary(fields_.U(), fields_.p());
     flux_.setConvection(fields_.phi(), fields_.U());
-    system_.tryOut();
+
+    // Times on disk are not solved for
+    if (!functionObject::postProcess)
+    {
+        system_.tryOut();
+    }
 }
 
 
@@ -252,7 +256,8 @@ Foam::unifiedSystem::unifiedSystem(fvMesh& mesh)
             fields_.p(),
             fields_.rho(),
             fields_.sigma(),
-            fields_.traction()
+            fields_.traction(),
+            flux_.geometry()
         )
     );
 
@@ -267,44 +272,6 @@ Foam::unifiedSystem::~unifiedSystem() = default;
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-Foam::unifiedSystem& Foam::unifiedSystem::of
-(
-    const objectRegistry& obr,
-    const word& asker
-)
-{
-    if (functionObject::postProcess && isA<fvMesh>(obr))
-    {
-        const fvMesh& mesh = refCast<const fvMesh>(obr);
-        unifiedSystem* system = mesh.getObjectPtr<unifiedSystem>(typeName);
-
-        if (system && system->instance() != mesh.time().timeName())
-        {
-            // Of the time before, made below
-            system->checkOut();
-            system = nullptr;
-        }
-        if (!system)
-        {
-            system = new unifiedSystem(const_cast<fvMesh&>(mesh));
-            regIOobject::store(system);
-            system->evaluate();
-        }
-
-        return *system;
-    }
-
-    if (!obr.foundObject<unifiedSystem>(typeName))
-    {
-        FatalErrorInFunction
-            << "Function object " << asker << " runs with umfsiFoam only"
-            << exit(FatalError);
-    }
-
-    return obr.lookupObjectRef<unifiedSystem>(typeName);
-}
-
 
 void Foam::unifiedSystem::describe(const bool all) const
 {
@@ -436,45 +403,9 @@ void Foam::unifiedSystem::conclude() const
 }
 
 
-void Foam::unifiedSystem::evaluate()
-{
-    const fluxGeometry& geometry = flux_.geometry();
-    unifiedVector z(system_.z());
-    fields_.toUnknowns(geometry, 0, z);
-
-    vectorField uf(mesh_.nFaces(), Zero);
-    flux_.patchVelocities(z, uf);
-
-    // D = D* + beta dt U, the other way round
-    momentumFlux::displacementVelocity star
-    {
-        fields_.D().primitiveField()/flux_.betaDt() - z.U,
-        vectorField(mesh_.nFaces(), Zero)
-    };
-    for (const labelList& faces :
-        {geometry.cellsAndFaces(true).ownSides, geometry.unknownFaces()})
-    {
-        for (const label facei : faces)
-        {
-            star.faces[facei] =
-                faceValue(fields_.Df(), facei)/flux_.betaDt() - uf[facei];
-        }
-    }
-
-    derived_.setStress(z, star);
-}
-
-
 Foam::energies Foam::unifiedSystem::energy()
 {
     return energies(fields_, flux_, system_.mass());
-}
-
-
-Foam::List<Foam::enclosedFluids::region>
-Foam::unifiedSystem::enclosedRegions() const
-{
-    return system_.enclosed().regions(fields_.Df(), fields_.p());
 }
 
 
