@@ -72,6 +72,15 @@ def reference(case):
     raise ValueError("no reference of " + str(case_name(case)))
 
 
+def error(found, expected, name):
+    """Of a quantity, over the reference's. Of a mean over the amplitude, if that
+    is larger: means of u_y and lift are nearly 0."""
+    value = expected[name]
+    amplitude = expected.get(name + "Amplitude", 0)
+    return (found[name] - value)/(
+        value if abs(value) > amplitude else amplitude)
+
+
 def extrema(times, values, sign):
     """Times and values of the maxima of sign*values, by parabolas through
     three steps, of those that are larger than the mean."""
