@@ -2,11 +2,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The cases of the robustness table.
 
-Usage: sweepCases.py names [-short] [case ...]
+Usage: sweepCases.py names [-short | -moving] [case ...]
        sweepCases.py parameters <case>
 
-names       names of all cases, of those of Alltest (-short), or of those
-            given; a name that is not known is an error
+names       names of all cases, of those of Alltest (-short), of those with a
+            mesh that follows (-moving), or of those given; a name that is not
+            known is an error
 parameters  entries of system/parameters of a case, one in a line
 """
 
@@ -68,6 +69,17 @@ def table():
 
 CASES = table()
 
+# Light and thin with a mesh that follows, several steps: Allmoving
+MOVING = {
+    f"flap AR10 rs0.001 dt{deltaT:g}": dict(
+        FLAP, wall=0.06, nxFlap=4, rhoSolid=1e-3, deltaT=deltaT,
+        endTime=10*deltaT)
+    for deltaT in (1e-3, 0.01, 0.1)}
+MOVING.update({
+    f"cavity E100 rs0.001 dt{deltaT:g}": dict(
+        CAVITY, E=100, rhoSolid=1e-3, deltaT=deltaT,
+        endTime=10*deltaT)
+    for deltaT in (0.01, 0.1)})
 
 # The hardest ones: light and thin walls, flaps, enclosed fluids
 SHORT = (
@@ -109,7 +121,7 @@ def line(name, start, end):
 
 def entries(case):
     """Entries of system/parameters. The lines pass inside of cells."""
-    values = {"nu": 0.3, "rhoFluid": 1, **CASES[case]}
+    values = {"nu": 0.3, "rhoFluid": 1, **{**CASES, **MOVING}[case]}
     wall = values["wall"]
 
     if values["shape"] == "channel":
@@ -150,7 +162,9 @@ def main():
         names = arguments[1:]
         if names[:1] == ["-short"]:
             names[:1] = SHORT
-        unknown = [name for name in names if name not in CASES]
+        elif names[:1] == ["-moving"]:
+            names[:1] = MOVING
+        unknown = [name for name in names if name not in {**CASES, **MOVING}]
         if unknown:
             sys.exit("No such case: " + ", ".join(unknown))
         print(*names or CASES, sep="\n")
