@@ -238,6 +238,42 @@ void Foam::caseWarnings::checkMaterials() const
 }
 
 
+void Foam::caseWarnings::checkDamping() const
+{
+    const scalar fewest = 20;
+    const scalar most = 1000;
+
+    const Time& time = figures_.mesh.time();
+    const scalar period = figures_.times.bending;
+    const scalar n = period/time.deltaTValue();
+    const scalar length = time.endTime().value() - time.value();
+
+    const word scheme(figures_.mesh.ddtScheme("ddt(U)"));
+
+    if
+    (
+        scheme != "Euler"
+     || n < fewest
+     || n > most
+     || length < 0.5*period
+    )
+    {
+        return;
+    }
+
+    const scalar x = constant::mathematical::twoPi/n;
+    const scalar lost = 1 - pow(1 + sqr(x), -0.5*n);
+
+    WarningInFunction
+        << "Scheme of ddt(U) is Euler: of an oscillation with the period"
+        << " of a solid's bending," << nl << "    estimate " << period
+        << " s, " << n << " steps, it damps " << 100*lost
+        << " % of the amplitude in each period" << nl
+        << "    ddtSchemes backward for solids that oscillate; for steady"
+        << " states larger steps" << endl;
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::caseWarnings::caseWarnings(const caseFigures& figures)
@@ -255,6 +291,7 @@ void Foam::caseWarnings::warn() const
     checkFlux();
     checkScale();
     checkMaterials();
+    checkDamping();
     unreadFiles(figures_.mesh).warn();
 }
 
