@@ -241,38 +241,37 @@ void Foam::caseWarnings::checkMaterials() const
 
 void Foam::caseWarnings::checkDamping() const
 {
-    const scalar stepsOfPeriod = 10;
-    const scalar mostLost = 0.05;
+    const scalar fewest = 20;
+    const scalar most = 1000;
 
     const Time& time = figures_.mesh.time();
     const scalar period = figures_.times.bending;
-    const scalar dt = time.deltaTValue();
+    const scalar n = period/time.deltaTValue();
+    const scalar length = time.endTime().value() - time.value();
+
     const word scheme(figures_.mesh.ddtScheme("ddt(U)"));
 
-    if (scheme != "Euler" || !(period > 0))
+    if
+    (
+        scheme != "Euler"
+     || n < fewest
+     || n > most
+     || length < 0.5*period
+    )
     {
         return;
     }
 
-    // Of a free vibration, for small steps
-    const scalar lost =
-        1 - Foam::exp(-2*sqr(constant::mathematical::pi)*dt/period);
+    const scalar x = constant::mathematical::twoPi/n;
+    const scalar lost = 1 - pow(1 + sqr(x), -0.5*n);
 
-    // Longer steps mean a steady state, shorter runs no vibration
-    if
-    (
-        lost > mostLost
-     && stepsOfPeriod*dt < period
-     && 2*(time.endTime().value() - time.startTime().value()) > period
-    )
-    {
-        WarningInFunction
-            << "ddtSchemes is Euler, and solids vibrate with a period of about "
-            << period << " s: with deltaT " << dt << " s Euler takes "
-            << 100*lost << " % of the amplitude in each" << nl
-            << "    backward keeps it; for a steady state take longer steps"
-            << endl;
-    }
+    WarningInFunction
+        << "Scheme of ddt(U) is Euler: of an oscillation with the period"
+        << " of a solid's bending," << nl << "    estimate " << period
+        << " s, " << n << " steps, it damps " << 100*lost
+        << " % of the amplitude in each period" << nl
+        << "    ddtSchemes backward for solids that oscillate; for steady"
+        << " states larger steps" << endl;
 }
 
 

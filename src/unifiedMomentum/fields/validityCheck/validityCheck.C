@@ -27,7 +27,8 @@ License
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
-const Foam::scalar Foam::validityCheck::largestGradient = 0.05;
+const Foam::scalar Foam::validityCheck::largestStrain = 0.05;
+const Foam::scalar Foam::validityCheck::largestRotation = 5;
 
 namespace Foam
 {
@@ -45,6 +46,14 @@ namespace Foam
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::scalar Foam::validityCheck::rotation(const tensor& gradD)
+{
+    const scalar degrees = 180/constant::mathematical::pi;
+
+    return degrees*mag(skew(gradD))/sqrt(scalar(2));
+}
+
 
 Foam::scalarField Foam::validityCheck::variation(const volVectorField& U) const
 {
@@ -245,7 +254,8 @@ Foam::validityCheck::validityCheck(const fluxGeometry& geometry)
 :
     geometry_(geometry),
     displacement_(0),
-    gradient_(0)
+    gradient_(0),
+    excess_(0)
 {}
 
 
@@ -270,12 +280,14 @@ void Foam::validityCheck::checkStep
     const fvMesh& mesh = geometry_.mesh();
     const materialZones& materials = geometry_.materials();
 
-    // Of this process and step: the ratio, its cell and face; the gradient
+    // Of this process and step: the ratio, its cell and face; the gradient;
+    // strain or rotation over its limit
     scalar ratio = 0;
     label ratioCell = -1;
     label ratioFace = -1;
-    scalar gradient2 = 0;
-    label gradientCell = -1;
+    scalar gradient = 0;
+    scalar excess = 0;
+    label excessCell = -1;
 
     for (const label facei : geometry_.unknownFaces())
     {
@@ -315,19 +327,26 @@ void Foam::validityCheck::checkStep
 
     for (const label celli : geometry_.cellsAndFaces(true).cells)
     {
-        const scalar here = magSqr(gradD[celli]);
-
-        if (here > gradient2 && !materials[celli].largeStrain())
+        if (materials[celli].largeStrain())
         {
-            gradient2 = here;
-            gradientCell = celli;
+            continue;
+        }
+
+        const tensor G(scale*gradD[celli]);
+        const scalar here =
+            max(mag(symm(G))/largestStrain, rotation(G)/largestRotation);
+
+        gradient = max(gradient, mag(G));
+        if (here > excess)
+        {
+            excess = here;
+            excessCell = celli;
         }
     }
-    const scalar gradient = scale*sqrt(gradient2);
 
-    const vector2D largest
+    const vector largest
     (
-        returnReduce(vector2D(ratio, gradient), maxOp<vector2D>())
+        returnReduce(vector(ratio, gradient, excess), maxOp<vector>())
     );
 
     if (largest.x() > 1 && displacement_ <= 1 && !geometry_.moves())
@@ -351,31 +370,32 @@ void Foam::validityCheck::checkStep
             << " the user guide" << endl;
     }
 
-    if (largest.y() > largestGradient && gradient_ <= largestGradient)
+    if (largest.z() > 1 && excess_ <= 1)
     {
         cellPlace place;
-        if (gradientCell >= 0)
+        if (excessCell >= 0)
         {
-            const tensor G(scale*gradD[gradientCell]);
-            const scalar degrees = 180/constant::mathematical::pi;
+            const tensor G(scale*gradD[excessCell]);
 
             OStringStream more;
             more<< ": strain " << mag(symm(G)) << ", rotation "
-                << degrees*mag(skew(G))/sqrt(scalar(2)) << " degrees";
-            place = cellPlace(mesh, gradientCell, gradient, more.str());
+                << rotation(G) << " degrees";
+            place = cellPlace(mesh, excessCell, excess, more.str());
         }
         place.reduce();
 
         WarningInFunction
             << "At time " << mesh.time().timeName() << " the gradient of D"
-            << " (strain, rotation) is " << largest.y() << ", above "
-            << largestGradient << nl << "        " << place.text().c_str()
-            << nl << "    Solids of type linearElastic do not bear that, those"
+            << " is no longer small: strain above " << largestStrain
+            << " or rotation above " << largestRotation << " degrees" << nl
+            << "        " << place.text().c_str() << nl
+            << "    Solids of type linearElastic do not bear that, those"
             << " of type StVenantKirchhoff do" << nl << saidOnce << endl;
     }
 
     displacement_ = max(displacement_, largest.x());
     gradient_ = max(gradient_, largest.y());
+    excess_ = max(excess_, largest.z());
 }
 
 
