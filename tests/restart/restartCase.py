@@ -23,6 +23,7 @@ templates = {
     'wall': here/'../regression/controls/case',
     'channel': here/'../../tutorials/poiseuille',
     'cavity': here/'../../tutorials/cavity',
+    'flap': here/'../../tutorials/perpendicularFlap',
 }
 restartFields = ['U', 'p', 'D', 'sigma', 'phi', 'Uf', 'Df', 'traction',
                  'continuityError', 'U_0', 'p_0', 'D_0', 'phi_0', 'Uf_0',
@@ -85,6 +86,8 @@ def differing(a, b):
     if not (Path(a).is_dir() and Path(b).is_dir()):
         return [str(x) for x in (a, b) if not Path(x).is_dir()]
     names = sorted(fileNames(a) | fileNames(b)) + ['uniform/time']
+    if any((Path(x)/'polyMesh').is_dir() for x in (a, b)):
+        names.append('polyMesh/points')
     bad = []
     for name in names:
         one, other = (content(Path(x)/name) for x in (a, b))
@@ -130,6 +133,8 @@ class Case:
             self.add(file, text)
         if not (self.path/'constant/polyMesh').is_dir():
             self.tool('blockMesh')
+            if (self.path/'system/setFieldsDict').is_file():
+                self.tool('setFields')
 
     def add(self, file, text):
         '''Later entries of a dictionary replace earlier ones'''

@@ -27,7 +27,9 @@ License
 Foam::vector Foam::faceLoads::onOwner(const label facei) const
 {
     const label celli = fields_.mesh().faceOwner()[facei];
-    const bool solid = fields_.materials().solid(celli);
+    const bool solid =
+        fields_.materials().solid(celli)
+     || flux_.geometry().kind(facei) == fluxGeometry::INTERFACE;
 
     return
         mag(flux_.geometry().S(solid)[facei])

@@ -285,6 +285,14 @@ void Foam::momentumFlux::stressField
     {
         magS[facei] = mag(geometry_.S(true)[facei]);
     }
+    for (const label facei : geometry_.unknownFaces())
+    {
+        // Whoever owns it, and wherever the solid is
+        if (geometry_.kind(facei) == fluxGeometry::INTERFACE)
+        {
+            magS[facei] = mag(geometry_.S(true)[facei]);
+        }
+    }
 
     // The forces that the cells get, without convection
     vectorField cellForce(z.U.size());

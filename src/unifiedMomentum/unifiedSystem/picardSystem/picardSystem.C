@@ -130,19 +130,28 @@ void Foam::picardSystem::takeRestIfBetter()
         return;
     }
 
-    const fluxGeometry::zone& solid = op_.geometry().cellsAndFaces(true);
+    const fluxGeometry& geometry = op_.geometry();
+    const fluxGeometry::zone& solid = geometry.cellsAndFaces(true);
     unifiedVector rest(z_);
 
     UIndirectList<vector>(rest.U, solid.cells) = vector::zero;
-    for (const labelList& sides : {solid.ownSides, solid.neiSides})
+    for (const label facei : solid.ownSides)
     {
-        for (const label facei : sides)
+        const label i = geometry.unknownIndex()[facei];
+        if (i >= 0)
         {
-            const label i = op_.geometry().unknownIndex()[facei];
-            if (i >= 0)
-            {
-                rest.Uf[i] = Zero;
-            }
+            rest.Uf[i] = Zero;
+        }
+    }
+
+    // Every interface has a solid, if only on another process
+    forAll(geometry.unknownFaces(), i)
+    {
+        const label facei = geometry.unknownFaces()[i];
+
+        if (geometry.kind(facei) == fluxGeometry::INTERFACE)
+        {
+            rest.Uf[i] = Zero;
         }
     }
 
