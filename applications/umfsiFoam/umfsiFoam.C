@@ -92,6 +92,7 @@ Reference
 \*---------------------------------------------------------------------------*/
 
 #include "fvCFD.H"
+#include "caseFiles.H"
 #include "unifiedSystem.H"
 #include "interfaceFaces.H"
 #include "guarded.H"
@@ -127,6 +128,8 @@ int main(int argc, char *argv[])
 
     Info<< "Create time" << nl << endl;
     restartableTime runTime(args);
+
+    caseFiles::requireSystem(runTime);
 
     // Not createMesh.H: with -dry-run it would make a mesh of its own
     Info<< "Create mesh for time = " << runTime.timeName() << nl << endl;
