@@ -393,7 +393,13 @@ void Foam::unifiedSystem::report()
         picard_,
         system_.nSweeps(),
         system_.relative(),
-        system_.increment()
+        system_.increment(),
+        validity_.size
+        (
+            fields_.D(),
+            flux_.stress(true).grad(),
+            flux_.betaDt()
+        )
     );
 }
 
