@@ -300,8 +300,8 @@ Foam::string Foam::caseFiles::splitting
 
     return
         "    Split the patch by material: topoSet and createPatch -overwrite,"
-        " then entries of\n    " + part + " in 0/U and 0/p. The zones of solids:"
-        " (" + zones + ")\n\n"
+        " then entries of\n    " + part + " in 0/U and 0/p. The zones of"
+        " solids: (" + zones + ")\n\n"
         "system/topoSetDict:\n"
       + header("dictionary", "topoSetDict")
       + "actions\n(\n"
