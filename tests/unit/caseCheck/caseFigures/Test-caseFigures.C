@@ -144,12 +144,14 @@ static void testBeam
 }
 
 
-//- A fluid of 8 m x 1 m between a wall at rest and a layer of 0.5 m
+//- A fluid of 8 m x 1 m between a wall at rest and a layer of 0.5 m, which is
+//  above or below: the owners of the faces between them are fluid or solid
 static void testChannel
 (
     const Time& runTime,
     const label nZ,
-    const scalar depth
+    const scalar depth,
+    const bool above
 )
 {
     const string name(nZ == 1 ? "2-D channel: " : "3-D channel: ");
@@ -171,7 +173,11 @@ static void testChannel
             runTime,
             cells,
             cells.points,
-            [](const point& c) { return word(c.y() < 0.5 ? "solid" : "fluid"); }
+            [&](const point& c)
+            {
+                const bool solid = above ? c.y() > 1 : c.y() < 0.5;
+                return word(solid ? "solid" : "fluid");
+            }
         )
     );
     const materialZones materials(mesh());
@@ -222,8 +228,11 @@ int main()
         testBeam(runTime(), 4, 2, 2, bothEnds);
     }
 
-    testChannel(runTime(), 1, 1);
-    testChannel(runTime(), 3, 2);
+    for (const bool above : {false, true})
+    {
+        testChannel(runTime(), 1, 1, above);
+        testChannel(runTime(), 3, 2, above);
+    }
 
     const wordList names({"inlet", "outlett", "walls", "top"});
     check(caseFiles::nearest("outlet", names) == "outlett", "a letter more");
