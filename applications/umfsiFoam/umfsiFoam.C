@@ -92,9 +92,11 @@ Reference
 \*---------------------------------------------------------------------------*/
 
 #include "fvCFD.H"
+#include "caseFiles.H"
 #include "unifiedSystem.H"
 #include "interfaceFaces.H"
 #include "guarded.H"
+#include "umfsiVersion.H"
 #include "restartableTime.H"
 #include "sigFpe.H"
 
@@ -105,7 +107,8 @@ int main(int argc, char *argv[])
     argList::addNote
     (
         "Incompressible laminar flow and elastic solids on one mesh,"
-        " with one momentum equation."
+        " with one momentum equation.\n"
+        "umfsiFoam version " + string(umfsiVersion)
     );
 
     #define CREATE_TIME createTimeToPostProcess.H
@@ -125,8 +128,11 @@ int main(int argc, char *argv[])
     // A number that is none shall end the run with a message
     sigFpe::unset();
 
-    Info<< "Create time" << nl << endl;
+    Info<< "umfsiFoam version " << umfsiVersion << nl << nl
+        << "Create time" << nl << endl;
     restartableTime runTime(args);
+
+    caseFiles::requireSystem(runTime);
 
     // Not createMesh.H: with -dry-run it would make a mesh of its own
     Info<< "Create mesh for time = " << runTime.timeName() << nl << endl;

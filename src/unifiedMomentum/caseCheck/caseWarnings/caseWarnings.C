@@ -107,7 +107,12 @@ void Foam::caseWarnings::checkFlux() const
 {
     for (const fluidRegions::region& r : figures_.fluids.regions())
     {
-        if (r.givesP || r.inPatches.empty() || r.outPatches.empty())
+        // What goes in and comes out again needs no wall
+        if
+        (
+            r.givesP || r.inPatches.empty() || r.outPatches.empty()
+         || mag(r.in - r.out) <= 1e-6*max(r.in, r.out)
+        )
         {
             continue;
         }

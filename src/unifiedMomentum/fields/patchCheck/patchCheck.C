@@ -39,7 +39,8 @@ namespace Foam
         const string& why,
         const string& choices,
         const label nFluid,
-        const label nSolid
+        const label nSolid,
+        const materialZones& materials
     )
     {
         patchConditions::refuse
@@ -51,7 +52,8 @@ namespace Foam
             why,
             choices,
             nFluid,
-            nSolid
+            nSolid,
+            materials
         );
     }
 }
@@ -107,7 +109,8 @@ void Foam::patchCheck::check(const unifiedFields& fields)
                 " symmetryPlane or symmetry (roller), solidTraction (given"
                 " traction; zero is a free surface)",
                 nFluid,
-                nSolid
+                nSolid,
+                fields.materials()
             );
         }
 
@@ -120,7 +123,8 @@ void Foam::patchCheck::check(const unifiedFields& fields)
                 "the patch touches a fluid",
                 patchConditions::choices<vector>(),
                 nFluid,
-                nSolid
+                nSolid,
+                fields.materials()
             );
         }
 
@@ -133,7 +137,8 @@ void Foam::patchCheck::check(const unifiedFields& fields)
                 "the patch touches a fluid, and " + refusalU,
                 patchConditions::choices<vector>(),
                 nFluid,
-                nSolid
+                nSolid,
+                fields.materials()
             );
         }
 
@@ -146,7 +151,8 @@ void Foam::patchCheck::check(const unifiedFields& fields)
                 "the patch touches a fluid, and " + refusalP,
                 patchConditions::choices<scalar>(),
                 nFluid,
-                nSolid
+                nSolid,
+                fields.materials()
             );
         }
     }

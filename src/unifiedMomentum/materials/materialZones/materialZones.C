@@ -20,6 +20,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "materialZones.H"
+#include "caseFiles.H"
 #include "FlatOutput.H"
 #include "Tuple2.H"
 #include "emptyPolyPatch.H"
@@ -367,13 +368,16 @@ Foam::materialZones::materialZones(const fvMesh& mesh)
 :
     IOdictionary
     (
-        IOobject
+        caseFiles::requireMaterials
         (
-            "materialProperties",
-            mesh.time().constant(),
-            mesh,
-            IOobject::MUST_READ,
-            IOobject::NO_WRITE
+            IOobject
+            (
+                "materialProperties",
+                mesh.time().constant(),
+                mesh,
+                IOobject::MUST_READ,
+                IOobject::NO_WRITE
+            )
         )
     ),
     mesh_(mesh),

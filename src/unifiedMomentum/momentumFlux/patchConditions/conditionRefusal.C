@@ -20,6 +20,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "patchConditions.H"
+#include "caseFiles.H"
 #include "localIOdictionary.H"
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -56,7 +57,8 @@ void Foam::patchConditions::refuse
     const string& why,
     const string& choices,
     const label nFluid,
-    const label nSolid
+    const label nSolid,
+    const materialZones& materials
 )
 {
     FatalIOErrorInFunction
@@ -69,10 +71,9 @@ void Foam::patchConditions::refuse
         << " of solid cells" << nl
         << (
                nFluid && nSolid
-             ? "    Split the patch by material: topoSet and createPatch,"
-               " section 4 of the user guide\n"
-             : ""
-           )
+             ? caseFiles::splitting(patch, materials)
+             : string()
+           ).c_str()
         << "    Valid choices: " << choices.c_str()
         << exit(FatalIOError);
 }
@@ -87,7 +88,9 @@ Foam::IOobject Foam::patchConditions::checkTypes
 {
     typedef GeometricField<Type, fvPatchField, volMesh> fieldType;
 
-    // A missing file, or one of another class, is OpenFOAM's to report
+    caseFiles::requireField(file, materials);
+
+    // One of another class is OpenFOAM's to report
     if (!IOobject(file).typeHeaderOk<fieldType>())
     {
         return file;
@@ -128,6 +131,7 @@ Foam::IOobject Foam::patchConditions::checkTypes
 
         if (!entries)
         {
+            caseFiles::refuseLeftOut(dict, file.name(), patch, materials);
             continue;
         }
 
@@ -159,7 +163,8 @@ Foam::IOobject Foam::patchConditions::checkTypes
                 "the patch touches a fluid, and " + why,
                 choices<Type>(),
                 nFluid,
-                nSolid
+                nSolid,
+                materials
             );
         }
     }

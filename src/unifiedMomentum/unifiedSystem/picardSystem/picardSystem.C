@@ -48,7 +48,8 @@ Foam::picardSystem::picardSystem
     residuals_(sweep_, flux.geometry()),
     newton_(flux),
     failure_(flux.geometry(), sweep_, controls, residuals_),
-    nSweeps_(0)
+    nSweeps_(0),
+    progress_()
 {
     const label nCells = z_.U.size();
 
@@ -74,6 +75,7 @@ void Foam::picardSystem::start(const unifiedFields& fields)
     fields.toUnknowns(op_.geometry(), 1, zOld_);
     z_ = zOld_;
     nSweeps_ = 0;
+    progress_.start();
     newton_.start(fields.D().oldTime(), fields.Df().oldTime());
 }
 
@@ -238,6 +240,7 @@ void Foam::picardSystem::precondition
 )
 {
     sweep_.apply(r, z);
+    progress_.sweep();
 }
 
 
@@ -258,6 +261,8 @@ bool Foam::picardSystem::converged
 )
 {
     const scalarList relative(residuals_.of(zOld_, z, r));
+
+    progress_.tell(relative);
 
     if (flexibleGMRES::debug)
     {

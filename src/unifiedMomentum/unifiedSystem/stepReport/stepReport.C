@@ -43,7 +43,8 @@ void Foam::stepReport::write
     const label nPicard,
     const label nSweeps,
     const scalarList& relative,
-    const scalar increment
+    const scalar increment,
+    const string& size
 )
 {
     ++nSteps_;
@@ -76,7 +77,8 @@ void Foam::stepReport::write
     line
         << std::fixed << std::setprecision(1)
         << "  elapsed " << elapsed << " s"
-        << "  remaining " << max(elapsed*(1/done - 1), 0.0) << " s";
+        << "  remaining " << max(elapsed*(1/done - 1), 0.0) << " s"
+        << size;
 
     Info<< line.str().c_str() << endl;
 }

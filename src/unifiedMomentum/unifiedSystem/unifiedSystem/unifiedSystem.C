@@ -22,6 +22,7 @@ License
 #include "unifiedSystem.H"
 #include "caseReport.H"
 #include "caseWarnings.H"
+#include "caseFiles.H"
 #include "fieldCheck.H"
 #include "laminarStress.H"
 #include "functionObject.H"
@@ -242,6 +243,7 @@ Foam::unifiedSystem::unifiedSystem(fvMesh& mesh)
     }
     fieldCheck::check(fields_);
     patchCheck::check(fields_);
+    caseFiles::requireSolvers(mesh, materials_);
 
     fields_.clearOthers();
 
@@ -391,7 +393,13 @@ void Foam::unifiedSystem::report()
         picard_,
         system_.nSweeps(),
         system_.relative(),
-        system_.increment()
+        system_.increment(),
+        validity_.size
+        (
+            fields_.D(),
+            flux_.stress(true).grad(),
+            flux_.betaDt()
+        )
     );
 }
 

@@ -1,0 +1,246 @@
+/*---------------------------------------------------------------------------*\
+  umfsiFoam: fluid-structure interaction with one momentum equation
+-------------------------------------------------------------------------------
+License
+    This file is part of umfsiFoam.
+
+    umfsiFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by
+    the Free Software Foundation, either version 3 of the License, or
+    (at your option) any later version.
+
+    umfsiFoam is distributed in the hope that it will be useful, but WITHOUT
+    ANY WARRANTY; without even the implied warranty of MERCHANTABILITY or
+    FITNESS FOR A PARTICULAR PURPOSE.  See the GNU General Public License
+    for more details.
+
+    You should have received a copy of the GNU General Public License
+    along with umfsiFoam.  If not, see <http://www.gnu.org/licenses/>.
+
+Description
+    Figures of the case check against numbers by hand: cells, volume, box,
+    sides and aspect ratio of cells, wave speeds, cells through the thinnest
+    part, slenderness, frequency of bending, time scales; in two and in three
+    dimensions. And the name that is nearest to a misspelt one.
+
+\*---------------------------------------------------------------------------*/
+
+#include "testMesh.H"
+#include "testing.H"
+#include "caseFiles.H"
+#include "timeScales.H"
+#include "mathematicalConstants.H"
+
+using namespace Foam;
+using namespace Foam::testing;
+
+// * * * * * * * * * * * * * * * * *  Tests  * * * * * * * * * * * * * * * * //
+
+static const scalar pi = constant::mathematical::pi;
+
+//- E 3 Pa, nu 0.25, rho 2 kg/m3: lambda = mu = 1.2 Pa
+static const string rubber =
+    "rubber { type linearElastic; cellZones (solid); rho 2; E 3; nu 0.25; }";
+
+static const string freeSurface =
+    "{ type solidTraction; traction constant (0 0 0);"
+    "pressure constant 0; }";
+
+static const string clamped = "{ type fixedValue; value uniform (0 0 0); }";
+
+
+static void near(const scalar value, const scalar exact, const string& text)
+{
+    checkNear(value, exact, 1e-9*max(mag(exact), scalar(1)), text);
+}
+
+
+//- A beam of 8 m x 0.5 m x depth, clamped at xMin or at both ends
+static void testBeam
+(
+    const Time& runTime,
+    const label nY,
+    const label nZ,
+    const scalar depth,
+    const bool bothEnds
+)
+{
+    const bool is2D = nZ == 1;
+    const string name
+    (
+        string(is2D ? "2-D" : "3-D") + " beam"
+      + (bothEnds ? ", both ends: " : ": ")
+    );
+    const polyhedra cells
+    (
+        hexes(uniform(0, 8, 16), uniform(0, 0.5, nY), uniform(0, depth, nZ))
+    );
+
+    writeMaterials(runTime, rubber);
+    const autoPtr<fvMesh> mesh
+    (
+        boxMesh
+        (
+            runTime,
+            cells,
+            cells.points,
+            [](const point&) { return word("solid"); }
+        )
+    );
+    const materialZones materials(mesh());
+    const autoPtr<volVectorField> U
+    (
+        velocity
+        (
+            mesh(),
+            bothEnds
+          ? "\"x.*\" " + clamped + "\"(y|z).*\" " + freeSurface
+          : "xMin " + clamped + "\"(xMax|y.*|z.*)\" " + freeSurface
+        )
+    );
+    const fluxGeometry geometry(materials, U());
+
+    const materialFigures figures(geometry);
+    const materialFigures::figures& f = figures[0];
+    const scalarList sides({0.5, 0.5/nY, is2D ? 0.5 : depth/nZ});
+
+    near(f.nCells, 16*nY*nZ, name + "cells");
+    near(f.volume, 4*depth, name + "volume");
+    near(mag(f.least), 0, name + "least corner");
+    near(mag(f.most - point(8, 0.5, depth)), 0, name + "other corner");
+    near(mag(f.sides - vector(8, 0.5, is2D ? 0 : depth)), 0, name + "box");
+    near(f.side, min(sides), name + "shortest side");
+    near(f.aspect, max(sides)/min(sides), name + "aspect ratio");
+
+    const material& m = figures.materials()[0];
+    near(sqr(materialFigures::pressureWave(m)), 1.8, name + "pressure wave");
+    near(sqr(materialFigures::shearWave(m)), 0.6, name + "shear wave");
+
+    const solidPieces solids(geometry);
+    checkNear(solids.pieces().size(), 1, 0, name + "one piece");
+    const solidPieces::piece& p = solids.pieces()[0];
+
+    near(p.nCells, f.nCells, name + "cells of the piece");
+    near(p.volume, f.volume, name + "volume of the piece");
+    near(p.nGiven, (bothEnds ? 2 : 1)*nY*nZ, name + "faces that hold it");
+    near(p.nThrough, nY, name + "cells through");
+    near(p.thickness, 0.5, name + "thickness");
+    near(p.length, 8, name + "length");
+
+    // sqrt(A/2)/t; in 2-D A/2 over depth and thickness
+    near
+    (
+        p.slenderness,
+        is2D ? 16 : std::sqrt(8*depth)/0.5,
+        name + "slenderness"
+    );
+
+    // The estimate is that of a plate clamped at one end or both
+    const scalar k = bothEnds ? 4.730 : 1.875;
+    const scalar frequency =
+        sqr(k)/(2*pi)*0.5/64*std::sqrt(3/((1 - 0.0625)*2*12));
+    checkNear(p.frequency, frequency, 1e-3*frequency, name + "frequency");
+    check(solidPieces::bendsBadly(p) == (nY < 4), name + "bends badly");
+}
+
+
+//- A fluid of 8 m x 1 m between a wall at rest and a layer of 0.5 m, which is
+//  above or below: the owners of the faces between them are fluid or solid
+static void testChannel
+(
+    const Time& runTime,
+    const label nZ,
+    const scalar depth,
+    const bool above
+)
+{
+    const string name(nZ == 1 ? "2-D channel: " : "3-D channel: ");
+    const polyhedra cells
+    (
+        hexes(uniform(0, 8, 16), uniform(0, 1.5, 12), uniform(0, depth, nZ))
+    );
+
+    writeMaterials
+    (
+        runTime,
+        rubber
+      + "water { type newtonianFluid; cellZones (fluid); rho 5; mu 0.5; }"
+    );
+    const autoPtr<fvMesh> mesh
+    (
+        boxMesh
+        (
+            runTime,
+            cells,
+            cells.points,
+            [&](const point& c)
+            {
+                const bool solid = above ? c.y() > 1 : c.y() < 0.5;
+                return word(solid ? "solid" : "fluid");
+            }
+        )
+    );
+    const materialZones materials(mesh());
+    autoPtr<volVectorField> U
+    (
+        velocity(mesh(), "\".*\" { type fixedValue; value uniform (0 0 0); }")
+    );
+    const autoPtr<volScalarField> p
+    (
+        pressure(mesh(), "\".*\" { type zeroGradient; }")
+    );
+    forAll(U(), celli)
+    {
+        U()[celli] = vector(materials.solid(celli) ? 0 : 0.25, 0, 0);
+    }
+
+    const fluxGeometry geometry(materials, U());
+    const materialFigures figures(geometry);
+    const solidPieces solids(geometry);
+    const givenValues given(geometry, U());
+    const fluidRegions fluids(geometry, p(), given);
+    const timeScales times(geometry, U(), given, figures, solids, fluids);
+
+    checkNear(fluids.regions().size(), 1, 0, name + "one region");
+    const fluidRegions::region& r = fluids.regions()[0];
+
+    // All patches but empty ones are walls at rest
+    const scalar wall = 16*depth + 2*depth + (nZ > 1 ? 16 : 0);
+    near(r.volume, 8*depth, name + "volume of the fluid");
+    near(r.wallArea, wall, name + "walls");
+
+    near(times.pressureWave, 8/std::sqrt(1.8), name + "pressure wave");
+    near(times.viscous, sqr(2*8*depth/wall)*5/0.5, name + "viscous");
+    near(times.convective, 8/0.25, name + "convective");
+    near(times.courant, 0.125/0.25, name + "courant");
+}
+
+
+// * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
+
+int main()
+{
+    const autoPtr<Time> runTime(caseTime("run", "boxes"));
+
+    for (const bool bothEnds : {false, true})
+    {
+        testBeam(runTime(), 2, 1, 1, bothEnds);
+        testBeam(runTime(), 4, 2, 2, bothEnds);
+    }
+
+    for (const bool above : {false, true})
+    {
+        testChannel(runTime(), 1, 1, above);
+        testChannel(runTime(), 3, 2, above);
+    }
+
+    const wordList names({"inlet", "outlett", "walls", "top"});
+    check(caseFiles::nearest("outlet", names) == "outlett", "a letter more");
+    check(caseFiles::nearest("wall", names) == "walls", "a letter less");
+    check(caseFiles::nearest("bottom", names).empty(), "none is near");
+
+    return close();
+}
+
+
+// ************************************************************************* //
