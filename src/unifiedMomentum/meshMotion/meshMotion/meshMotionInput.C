@@ -173,6 +173,15 @@ void Foam::meshMotion::readControls(const dictionary& dict)
 
 void Foam::meshMotion::checkConditions() const
 {
+    if (displacement_.dimensions() != dimLength)
+    {
+        FatalIOErrorInFunction(dictionary(displacement_.objectPath()))
+            << "Entry 'dimensions' of field " << displacement_.name() << " is "
+            << displacement_.dimensions() << nl
+            << "    Valid choices: [0 1 0 0 0 0 0]"
+            << exit(FatalIOError);
+    }
+
     forAll(displacement_.boundaryField(), patchi)
     {
         const pointPatchField<vector>& pd =
