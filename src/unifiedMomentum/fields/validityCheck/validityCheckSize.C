@@ -47,7 +47,7 @@ Foam::string Foam::validityCheck::size
     }
     reduce(largest, maxOp<vector>());
 
-    if (largest.y() <= largestGradient && displacement_ <= 1)
+    if (largest.y() <= largestStrain && displacement_ <= 1)
     {
         return string();
     }
