@@ -78,21 +78,31 @@ def error(found, expected, name):
     value = expected[name]
     amplitude = expected.get(name + "Amplitude", 0)
     return (found[name] - value)/(
-        value if abs(value) > amplitude else amplitude)
+        value if abs(value) >= amplitude else amplitude)
 
 
 def extrema(times, values, sign):
-    """Times and values of the maxima of sign*values, by parabolas through
-    three steps, of those that are larger than the mean."""
+    """Times and values of the largest sign*values between two times at which
+    values pass their mean, by parabolas through three steps."""
     mean = sum(values)/len(values)
+    above = [sign*(v - mean) for v in values]
     found = []
+    best = None
     for i in range(1, len(values) - 1):
-        a, b, c = (sign*v for v in values[i - 1:i + 2])
-        if a < b >= c and b > sign*mean:
-            shift = 0.5*(a - c)/(a - 2*b + c)
+        if above[i] <= 0:
+            best = None
+        elif best is None:
+            # Not what has begun before
+            best = i if above[i - 1] <= 0 else -1
+        elif best >= 0 and above[i] > above[best]:
+            best = i
+        if above[i] > 0 >= above[i + 1] and best >= 0:
+            a, b, c = above[best - 1:best + 2]
+            bend = a - 2*b + c
+            shift = 0.5*(a - c)/bend if bend else 0
             found.append((
-                times[i] + shift*(times[i + 1] - times[i]),
-                sign*(b - 0.25*(a - c)*shift)
+                times[best] + shift*(times[best + 1] - times[best]),
+                mean + sign*(b - 0.25*(a - c)*shift)
             ))
     return found
 
