@@ -9,7 +9,8 @@ from pathlib import Path
 SOLVER = "umfsiFoam"
 COMMON = Path(__file__).resolve().parent/"columnTemplate"
 UNCONVERGED = re.compile(
-    r"unconverged [1-9]|(not|no|n't|without)\s+(yet\s+)?(fully\s+)?converge", re.I)
+    r"unconverged (?!0;)|(not|no|n't|without)\s+(yet\s+)?(fully\s+)?converge",
+    re.I)
 
 
 def centres(problem, cellsPerUnit):
