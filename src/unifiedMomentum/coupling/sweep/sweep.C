@@ -181,6 +181,7 @@ Foam::sweep::sweep(unifiedOperator& op)
     ),
     betaDt_(-1),
     balances_(false),
+    nCorrectors_(3),
     r_(op.geometry().mesh().nCells(), ownSide_.size()),
     correction_(r_),
     rp_(op.geometry().mesh().nCells(), 0),

@@ -50,15 +50,25 @@ void Foam::sweep::setPressure()
         viscous_[celli] =
             0.75*geometry.materials()[celli].shear()/geometry.V()[celli];
 
-        largest = max
-        (
-            largest,
-            cmptMax(diag_[celli])*op_.flux().betaDt()/op_.mass()[celli]
-        );
+        for (direction k = 0; k < vector::nComponents; ++k)
+        {
+            // The others have no matrix, but a diagonal of one
+            if (mesh.solutionD()[k] > 0)
+            {
+                largest = max
+                (
+                    largest,
+                    diag_[celli][k]*op_.flux().betaDt()/op_.mass()[celli]
+                );
+            }
+        }
     }
 
-    // Where inertia rules there is nothing left to balance
-    balances_ = returnReduce(largest, maxOp<scalar>()) > 4;
+    // Where inertia rules there is nothing left to balance. Where nothing else
+    // counts, D is right: the first solution leaves little to others
+    reduce(largest, maxOp<scalar>());
+    balances_ = largest > 4;
+    nCorrectors_ = largest > 1.05 ? 3 : 1;
 
     const auto coefficient = [&](const label facei, const scalar DN)
     {
@@ -307,7 +317,7 @@ void Foam::sweep::applyFluid(const unifiedVector& r, unifiedVector& dz)
     r_.Uf = Zero;
 
     const label nCorrectors =
-        controls().getOrDefault<label>("nCorrectors", 3);
+        controls().getOrDefault<label>("nCorrectors", nCorrectors_);
 
     for (label corr = 0; corr < nCorrectors; ++corr)
     {
