@@ -212,10 +212,9 @@ Foam::tmp<Foam::volSymmTensorField> Foam::laminarStress::devRhoReff() const
         forAll(patch, i)
         {
             const label facei = patch.start() + i;
-            const bool solid = 
-                geometry_.materials().solid(patch.faceCells()[i]);
+            // Of the area that forces takes
             const scalar area =
-                mag(geometry_.S(solid)[facei])/patch.magSf()[i];
+                geometry_.tractionArea(facei)/patch.magSf()[i];
 
             const vector t
             (

@@ -20,26 +20,10 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "caseWarnings.H"
+#include "namesOf.H"
 #include "unreadFiles.H"
 #include "OStringStream.H"
 #include "mathematicalConstants.H"
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace Foam
-{
-    //- Names in brackets
-    static string namesOf(const wordList& names)
-    {
-        string text("(");
-        for (const word& name : names)
-        {
-            text += (text.size() > 1 ? " " : "") + name;
-        }
-        return text + ")";
-    }
-}
-
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 

@@ -20,7 +20,6 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "energies.H"
-#include "faceValue.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -45,15 +44,7 @@ Foam::energies::energies
     fluid = kinetic(false);
     solid = kinetic(true);
 
-    vectorField Df(fields.mesh().nFaces(), Zero);
-    for (const label facei : geometry.cellsAndFaces(true).ownSides)
-    {
-        Df[facei] = faceValue(fields.Df(), facei);
-    }
-    for (const label facei : geometry.unknownFaces())
-    {
-        Df[facei] = faceValue(fields.Df(), facei);
-    }
+    vectorField Df(fields.faceDisplacement(geometry));
     elastic =
         returnReduce
         (

@@ -26,13 +26,8 @@ License
 
 Foam::vector Foam::faceLoads::onOwner(const label facei) const
 {
-    const label celli = fields_.mesh().faceOwner()[facei];
-    const bool solid =
-        fields_.materials().solid(celli)
-     || flux_.geometry().kind(facei) == fluxGeometry::INTERFACE;
-
     return
-        mag(flux_.geometry().S(solid)[facei])
+        flux_.geometry().tractionArea(facei)
        *faceValue(fields_.traction(), facei);
 }
 

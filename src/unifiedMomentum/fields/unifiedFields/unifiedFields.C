@@ -236,6 +236,26 @@ void Foam::unifiedFields::toUnknowns
 }
 
 
+Foam::vectorField Foam::unifiedFields::faceDisplacement
+(
+    const fluxGeometry& geometry
+) const
+{
+    vectorField d(mesh_.nFaces(), Zero);
+
+    for (const label facei : geometry.cellsAndFaces(true).ownSides)
+    {
+        d[facei] = faceValue(Df_, facei);
+    }
+    for (const label facei : geometry.unknownFaces())
+    {
+        d[facei] = faceValue(Df_, facei);
+    }
+
+    return d;
+}
+
+
 void Foam::unifiedFields::fromUnknowns
 (
     const fluxGeometry& geometry,

@@ -21,7 +21,6 @@ License
 
 #include "pointDisplacement.H"
 #include "addToRunTimeSelectionTable.H"
-#include "faceValue.H"
 #include "gaussGradient.H"
 #include "unifiedSystem.H"
 
@@ -158,19 +157,11 @@ bool Foam::functionObjects::pointDisplacement::execute()
     vectorField Uf(mesh_.nFaces(), Zero);
     system.flux().patchVelocities(z, Uf);
 
-    vectorField Df(mesh_.nFaces(), Zero);
-    for (const label facei : geometry.cellsAndFaces(true).ownSides)
-    {
-        Df[facei] = faceValue(fields.Df(), facei);
-    }
-    for (const label facei : geometry.unknownFaces())
-    {
-        Df[facei] = faceValue(fields.Df(), facei);
-    }
+    vectorField Df(fields.faceDisplacement(geometry));
+    gaussGradient<vector> gradient(geometry, true);
 
     const auto sample = [&](const vectorField& u, vectorField& uf)
     {
-        gaussGradient<vector> gradient(geometry, true);
         tensorField G(mesh_.nCells(), Zero);
         vectorField values(points_.size(), Zero);
 

@@ -21,24 +21,8 @@ License
 
 #include "caseFiles.H"
 #include "materialZones.H"
+#include "namesOf.H"
 #include "volFields.H"
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace Foam
-{
-    //- Names in brackets, without their number
-    static string namesOf(const UList<word>& names)
-    {
-        string text("(");
-        for (const word& name : names)
-        {
-            text += (text.size() > 1 ? " " : "") + name;
-        }
-        return text + ")";
-    }
-}
-
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 

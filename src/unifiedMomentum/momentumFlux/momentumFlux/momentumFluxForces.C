@@ -280,19 +280,6 @@ void Foam::momentumFlux::stressField
 )
 {
     const materialZones& materials = geometry_.materials();
-    scalarField magS(mag(geometry_.S(false)));
-    for (const label facei : geometry_.cellsAndFaces(true).ownSides)
-    {
-        magS[facei] = mag(geometry_.S(true)[facei]);
-    }
-    for (const label facei : geometry_.unknownFaces())
-    {
-        // Whoever owns it, and wherever the solid is
-        if (geometry_.kind(facei) == fluxGeometry::INTERFACE)
-        {
-            magS[facei] = mag(geometry_.S(true)[facei]);
-        }
-    }
 
     // The forces that the cells get, without convection
     vectorField cellForce(z.U.size());
@@ -324,7 +311,7 @@ void Foam::momentumFlux::stressField
     {
         for (const label facei : geometry_.cellsAndFaces(solid).ownSides)
         {
-            traction[facei] = ownForce_[facei]/magS[facei];
+            traction[facei] = ownForce_[facei]/geometry_.tractionArea(facei);
         }
     }
     forAll(geometry_.unknownFaces(), i)
@@ -337,7 +324,7 @@ void Foam::momentumFlux::stressField
               ? shareOf(i, true, R[i])
               : R[i]
             )
-           /magS[facei];
+           /geometry_.tractionArea(facei);
     }
 }
 

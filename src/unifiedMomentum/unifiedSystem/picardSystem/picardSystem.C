@@ -187,8 +187,6 @@ void Foam::picardSystem::solve()
 
         const flexibleGMRES::performance perf = krylov_.solve(*this, z_, r_);
 
-        nSweeps_ += perf.nSweeps;
-
         updateResidual();
         if (perf.broken)
         {
@@ -240,7 +238,7 @@ void Foam::picardSystem::precondition
 )
 {
     sweep_.apply(r, z);
-    progress_.sweep();
+    ++nSweeps_;
 }
 
 
@@ -262,7 +260,7 @@ bool Foam::picardSystem::converged
 {
     const scalarList relative(residuals_.of(zOld_, z, r));
 
-    progress_.tell(relative);
+    progress_.tell(nSweeps_, relative);
 
     if (flexibleGMRES::debug)
     {

@@ -39,8 +39,7 @@ registerOptSwitch("stepProgress", float, Foam::stepProgress::interval);
 
 Foam::stepProgress::stepProgress()
 :
-    clock_(),
-    nSweeps_(0)
+    clock_()
 {}
 
 
@@ -49,11 +48,14 @@ Foam::stepProgress::stepProgress()
 void Foam::stepProgress::start()
 {
     clock_.resetTime();
-    nSweeps_ = 0;
 }
 
 
-void Foam::stepProgress::tell(const scalarList& relative)
+void Foam::stepProgress::tell
+(
+    const label nSweeps,
+    const scalarList& relative
+)
 {
     // The master's clock: only its lines are seen
     if (Pstream::master() && clock_.elapsedTime() >= interval)
@@ -61,7 +63,7 @@ void Foam::stepProgress::tell(const scalarList& relative)
         clock_.resetTime();
 
         std::ostringstream line;
-        line<< std::setprecision(3) << "    so far: sweeps " << nSweeps_;
+        line<< std::setprecision(3) << "    so far: sweeps " << nSweeps;
 
         forAll(relative, i)
         {
