@@ -32,7 +32,6 @@ void Foam::aggregationMultigrid::smooth
     const bool fromZero
 ) const
 {
-    const sparseMatrix& A = matrix(l);
     const scalar largest = 1.1*l.rho;
     const scalar smallest = largest/ratio_;
     const scalar centre = 0.5*(largest + smallest);
@@ -45,7 +44,7 @@ void Foam::aggregationMultigrid::smooth
     }
     else
     {
-        r.noalias() -= A*x;
+        l.shortA.add(-1, x, r);
     }
 
     Eigen::VectorXd step(l.invD*r);
@@ -58,7 +57,7 @@ void Foam::aggregationMultigrid::smooth
 
         if (k + 1 < nSteps_)
         {
-            r.noalias() -= A*step;
+            l.shortA.add(-1, step, r);
             const scalar next = 1/(2*centre/radius - factor);
             step *= next*factor;
             step.noalias() += (2*next/radius)*(l.invD*r);
@@ -83,8 +82,14 @@ Eigen::VectorXd Foam::aggregationMultigrid::cycle
     Eigen::VectorXd x;
 
     smooth(l, b, x, true);
-    const Eigen::VectorXd r(b - matrix(l)*x);
-    x += l.P*cycle(leveli + 1, l.P.transpose()*r);
+
+    Eigen::VectorXd r(b);
+    l.shortA.add(-1, x, r);
+
+    Eigen::VectorXd coarse(Eigen::VectorXd::Zero(l.P.cols()));
+    l.shortP.addTransposed(r, coarse);
+    l.shortP.add(1, cycle(leveli + 1, coarse), x);
+
     smooth(l, b, x, false);
 
     return x;
@@ -99,8 +104,11 @@ void Foam::aggregationMultigrid::update(const sparseMatrix& A)
 
     for (label leveli = 0; leveli + 1 < nLevels(); ++leveli)
     {
-        setSmoother(levels_[leveli]);
-        coarsen(levels_[leveli], levels_[leveli + 1]);
+        level& l = levels_[leveli];
+
+        setSmoother(l);
+        l.shortA.set(matrix(l), l.d, l.d);
+        coarsen(l, levels_[leveli + 1]);
     }
 
     coarsest_.set(matrix(levels_.back()));

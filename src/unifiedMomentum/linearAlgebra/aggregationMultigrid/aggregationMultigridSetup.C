@@ -228,6 +228,7 @@ Foam::aggregationMultigrid::aggregationMultigrid
             sparseMatrix DAT(A*T);
             DAT = l.invD*DAT;
             l.P = T - (4.0/(3*l.rho))*DAT;
+            l.shortP.set(l.P, l.d, dCoarse);
         }
 
         level next;

@@ -28,12 +28,10 @@ License
 namespace Foam
 {
 
-typedef Eigen::SparseMatrix<double> columnMatrix;
-
 //- Symmetric: its rows are its columns
-static Eigen::Map<const columnMatrix> byColumns(const sparseMatrix& A)
+static Eigen::Map<const Eigen::SparseMatrix<double>> byColumns(const sparseMatrix& A)
 {
-    return Eigen::Map<const columnMatrix>
+    return Eigen::Map<const Eigen::SparseMatrix<double>>
     (
         A.rows(),
         A.cols(),
@@ -48,7 +46,7 @@ static Eigen::Map<const columnMatrix> byColumns(const sparseMatrix& A)
 //- Sizes of the columns of the factor
 struct analysis
 :
-    public Eigen::SimplicialLDLT<columnMatrix>
+    public Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>
 {
     scalar operations() const
     {
@@ -81,14 +79,12 @@ constexpr Foam::scalar Foam::factorised::roundOff;
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::factorised::setPanels()
+void Foam::factorised::setPanels(const columnMatrix& L)
 {
     // Zeros that a panel may have, of its entries
     const double maxZeros = 0.15;
 
     // Strictly lower triangle by columns, rows in ascending order
-    const Eigen::SparseMatrix<double>& L =
-        solver_.matrixL().nestedExpression();
     const label n = L.cols();
     const auto* start = L.outerIndexPtr();
     const auto* row = L.innerIndexPtr();
@@ -96,8 +92,7 @@ void Foam::factorised::setPanels()
 
     panels_.clear();
     rows_.clear();
-    values_.clear();
-    singles_.clear();
+    nValues_ = 0;
 
     for (label first = 0; first < n; first += panels_.back().width)
     {
@@ -125,36 +120,49 @@ void Foam::factorised::setPanels()
             last - first + 1,
             label(size(last)),
             label(rows_.size()),
-            values_.size()
+            nValues_
         };
-        const label height = p.width + p.nRows;
 
         rows_.insert(rows_.end(), row + start[last], row + start[last + 1]);
-        values_.resize(values_.size() + std::size_t(height)*p.width, 0);
+        nValues_ += std::size_t(p.width + p.nRows)*p.width;
+        panels_.push_back(p);
+    }
+}
 
+
+template<class Real>
+void Foam::factorised::setValues
+(
+    const columnMatrix& L,
+    std::vector<Real>& values
+) const
+{
+    values.assign(nValues_, 0);
+
+    for (const panel& p : panels_)
+    {
         for (label k = 0; k < p.width; ++k)
         {
-            double* column = values_.data() + p.value + std::size_t(k)*height;
+            Real* column =
+                values.data() + p.value + std::size_t(k)*(p.width + p.nRows);
             label place = 0;
 
-            for (label e = start[first + k]; e < start[first + k + 1]; ++e)
+            for (columnMatrix::InnerIterator e(L, p.first + k); e; ++e)
             {
-                if (row[e] <= last)
+                if (e.row() < p.first + p.width)
                 {
-                    column[row[e] - first] = L.valuePtr()[e];
+                    column[e.row() - p.first] = Real(e.value());
                 }
                 else
                 {
-                    while (rows_[p.row + place] != row[e])
+                    while (rows_[p.row + place] != e.row())
                     {
                         ++place;
                     }
-                    column[p.width + place] = L.valuePtr()[e];
+                    column[p.width + place] = Real(e.value());
                 }
             }
         }
-
-        panels_.push_back(p);
     }
 }
 
@@ -222,7 +230,7 @@ void Foam::factorised::substitute
 
     // Over the largest: single precision has a narrow range
     x.array() /=
-        (solver_.vectorD()/largest_).template cast<Real>().array();
+        (D_/largest_).template cast<Real>().array();
 
     for (auto iter = panels_.rbegin(); iter != panels_.rend(); ++iter)
     {
@@ -249,14 +257,11 @@ void Foam::factorised::substitute
 }
 
 
-void Foam::factorised::tryShort(const sparseMatrix& A)
+bool Foam::factorised::tryShort(const sparseMatrix& A, const solver& LDL)
 {
-    // Double precision, far below any tolerance
-    error_ = 1e-9;
-
-    if (values_.size() < minShort)
+    if (nValues_ < minShort)
     {
-        return;
+        return false;
     }
 
     // Repeatable, without structure
@@ -267,28 +272,22 @@ void Foam::factorised::tryShort(const sparseMatrix& A)
         state = state*6364136223846793005ul + 1442695040888963407ul;
         x[i] = double(state >> 33)/double(1ul << 31) - 0.5;
     }
-    x = solve(x);
-    x /= x.norm();
-    x = solve(x);
-    x /= x.norm();
+    for (label iter = 0; iter < 2; ++iter)
+    {
+        x = order_*x;
+        x = LDL.solve(x);
+        x = order_.transpose()*x;
+        x /= x.norm();
+    }
 
     const Eigen::VectorXd Ax(A*x);
-    singles_.assign(values_.begin(), values_.end());
+    setValues(LDL.matrixL().nestedExpression(), singles_);
 
     const Eigen::VectorXd difference(solve(Ax) - x);
     const Eigen::VectorXd residual(A*difference);
-    const scalar error =
-        std::sqrt(std::abs(difference.dot(residual)/x.dot(Ax)));
+    error_ = std::sqrt(std::abs(difference.dot(residual)/x.dot(Ax)));
 
-    if (error < roundOff)
-    {
-        error_ = error;
-        std::vector<double>().swap(values_);
-    }
-    else
-    {
-        std::vector<float>().swap(singles_);
-    }
+    return error_ < roundOff;
 }
 
 
@@ -296,7 +295,7 @@ void Foam::factorised::tryShort(const sparseMatrix& A)
 
 Foam::factorised::factorised()
 :
-    analysed_(false),
+    nValues_(0),
     largest_(1),
     error_(0)
 {}
@@ -306,7 +305,7 @@ Foam::factorised::factorised()
 
 Foam::scalar Foam::factorised::operations(const sparseMatrix& A)
 {
-    const columnMatrix columns(byColumns(A));
+    const Eigen::SparseMatrix<double> columns(byColumns(A));
     analysis a;
     a.analyzePattern(columns);
 
@@ -321,34 +320,54 @@ void Foam::factorised::set(const sparseMatrix& A)
         return;
     }
 
-    columnMatrix columns(byColumns(A));
-
-    if (!analysed_)
+    columnMatrix columns;
     {
-        solver_.analyzePattern(columns);
-        analysed_ = true;
+        const auto given(byColumns(A));
+
+        if (order_.size() == 0)
+        {
+            const columnMatrix copy(given);
+            Eigen::PermutationMatrix<Eigen::Dynamic> inverse;
+            Eigen::AMDOrdering<int>()
+            (
+                copy.selfadjointView<Eigen::Lower>(),
+                inverse
+            );
+            order_ = inverse.transpose();
+        }
+
+        columns.resize(A.rows(), A.cols());
+        columns.selfadjointView<Eigen::Lower>() =
+            given.selfadjointView<Eigen::Lower>().twistedBy(order_);
     }
 
-    // A free body at a huge time step is singular to round-off
-    const Eigen::VectorXd diagonal(columns.diagonal());
+    // Its matrix goes with it: the panels have all that solutions need
+    solver LDL;
+    LDL.analyzePattern(columns);
 
+    // A free body at a huge time step is singular to round-off
     for (double shift = 1e-13; shift < 1; shift *= 100)
     {
-        for (label i = 0; i < columns.rows(); ++i)
-        {
-            columns.coeffRef(i, i) = (1 + shift)*diagonal[i];
-        }
-        solver_.factorize(columns);
+        LDL.setShift(0, 1 + shift);
+        LDL.factorize(columns);
 
-        if
-        (
-            solver_.info() == Eigen::Success
-         && solver_.vectorD().minCoeff() > 0
-        )
+        if (LDL.info() == Eigen::Success && LDL.vectorD().minCoeff() > 0)
         {
-            largest_ = solver_.vectorD().maxCoeff();
-            setPanels();
-            tryShort(A);
+            const columnMatrix& L = LDL.matrixL().nestedExpression();
+
+            D_ = LDL.vectorD();
+            largest_ = D_.maxCoeff();
+            setPanels(L);
+
+            std::vector<double>().swap(values_);
+            if (!tryShort(A, LDL))
+            {
+                // Far below any tolerance
+                error_ = 1e-9;
+                std::vector<float>().swap(singles_);
+                setValues(L, values_);
+            }
+
             return;
         }
     }
@@ -365,7 +384,7 @@ Eigen::VectorXd Foam::factorised::solve(const Eigen::VectorXd& b) const
         return b;
     }
 
-    Eigen::VectorXd x(solver_.permutationP()*b);
+    Eigen::VectorXd x(order_*b);
 
     if (singles_.empty())
     {
@@ -380,7 +399,7 @@ Eigen::VectorXd Foam::factorised::solve(const Eigen::VectorXd& b) const
     }
     x /= largest_;
 
-    return solver_.permutationPinv()*x;
+    return order_.transpose()*x;
 }
 
 

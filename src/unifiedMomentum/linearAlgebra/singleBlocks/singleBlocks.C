@@ -1,0 +1,178 @@
+/*---------------------------------------------------------------------------*\
+  umfsiFoam: fluid-structure interaction with one momentum equation
+-------------------------------------------------------------------------------
+License
+    This file is part of umfsiFoam.
+
+    umfsiFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by
+    the Free Software Foundation, either version 3 of the License, or
+    (at your option) any later version.
+
+    umfsiFoam is distributed in the hope that it will be useful, but WITHOUT
+    ANY WARRANTY; without even the implied warranty of MERCHANTABILITY or
+    FITNESS FOR A PARTICULAR PURPOSE.  See the GNU General Public License
+    for more details.
+
+    You should have received a copy of the GNU General Public License
+    along with umfsiFoam.  If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+
+#include "singleBlocks.H"
+#include "error.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+template<int R, int C>
+void Foam::singleBlocks::addProduct
+(
+    const double factor,
+    const double* x,
+    double* y
+) const
+{
+    const float* a = values_.data();
+
+    for (std::size_t i = 0; i + 1 < start_.size(); ++i)
+    {
+        double sum[R] = {};
+
+        for (label b = start_[i]; b < start_[i + 1]; ++b, a += R*C)
+        {
+            const double* xb = x + C*column_[b];
+
+            for (int k = 0; k < R; ++k)
+            {
+                for (int l = 0; l < C; ++l)
+                {
+                    sum[k] += a[C*k + l]*xb[l];
+                }
+            }
+        }
+
+        for (int k = 0; k < R; ++k)
+        {
+            y[R*i + k] += factor*sum[k];
+        }
+    }
+}
+
+
+template<int R, int C>
+void Foam::singleBlocks::addTransposed(const double* x, double* y) const
+{
+    const float* a = values_.data();
+
+    for (std::size_t i = 0; i + 1 < start_.size(); ++i)
+    {
+        const double* xi = x + R*i;
+
+        for (label b = start_[i]; b < start_[i + 1]; ++b, a += R*C)
+        {
+            double* yb = y + C*column_[b];
+
+            for (int k = 0; k < R; ++k)
+            {
+                for (int l = 0; l < C; ++l)
+                {
+                    yb[l] += a[C*k + l]*xi[k];
+                }
+            }
+        }
+    }
+}
+
+
+template<int R, int C>
+void Foam::singleBlocks::take()
+{
+    product_ = &singleBlocks::addProduct<R, C>;
+    transposed_ = &singleBlocks::addTransposed<R, C>;
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::singleBlocks::set
+(
+    const sparseMatrix& A,
+    const label nRows,
+    const label nColumns
+)
+{
+    // In 1, 2 and 3 dimensions, from nodes or from modes: to translations or
+    // to all rigid-body modes
+    switch (10*nRows + nColumns)
+    {
+        case 11: take<1, 1>(); break;
+        case 22: take<2, 2>(); break;
+        case 23: take<2, 3>(); break;
+        case 33: take<3, 3>(); break;
+        case 36: take<3, 6>(); break;
+        case 66: take<6, 6>(); break;
+        default:
+            FatalErrorInFunction
+                << "No product for blocks of " << nRows << " x " << nColumns
+                << exit(FatalError);
+    }
+
+    const label size = nRows*nColumns;
+    std::vector<label> place(A.cols()/nColumns, -1);
+
+    start_.assign(1, 0);
+    column_.clear();
+    values_.clear();
+    values_.reserve(A.nonZeros());
+
+    for (label row = 0; row < A.rows(); ++row)
+    {
+        for (sparseMatrix::InnerIterator e(A, row); e; ++e)
+        {
+            const label column = e.col()/nColumns;
+
+            if (place[column] < start_.back())
+            {
+                place[column] = column_.size();
+                column_.push_back(column);
+                values_.resize(values_.size() + size, 0);
+            }
+
+            values_
+            [
+                std::size_t(size)*place[column]
+              + nColumns*(row % nRows) + e.col() % nColumns
+            ] = e.value();
+        }
+
+        if (row % nRows == nRows - 1)
+        {
+            start_.push_back(column_.size());
+        }
+    }
+}
+
+
+void Foam::singleBlocks::add
+(
+    const double factor,
+    const Eigen::VectorXd& x,
+    Eigen::VectorXd& y
+) const
+{
+    (this->*product_)(factor, x.data(), y.data());
+}
+
+
+void Foam::singleBlocks::addTransposed
+(
+    const Eigen::VectorXd& x,
+    Eigen::VectorXd& y
+) const
+{
+    (this->*transposed_)(x.data(), y.data());
+}
+
+
+// ************************************************************************* //
