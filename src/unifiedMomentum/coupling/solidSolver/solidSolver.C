@@ -20,6 +20,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "solidSolver.H"
+#include "profiling.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -241,6 +242,8 @@ Foam::label Foam::solidSolver::solve
     unifiedVector& dz
 )
 {
+    addProfiling(solids, "solidSolver::solve");
+
     const fluxGeometry& geometry = op_.geometry();
     const fvMesh& mesh = geometry.mesh();
     const fluxGeometry::zone& solid = geometry.cellsAndFaces(true);

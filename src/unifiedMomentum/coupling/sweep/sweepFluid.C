@@ -20,6 +20,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "sweep.H"
+#include "profiling.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -311,6 +312,8 @@ void Foam::sweep::correct(unifiedVector& dz)
 
 void Foam::sweep::applyFluid(const unifiedVector& r, unifiedVector& dz)
 {
+    addProfiling(fluid, "sweep::applyFluid");
+
     solveFluid(r, dz);
 
     // Slip faces are solved with their cells, which leaves nothing there

@@ -20,6 +20,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "unifiedOperator.H"
+#include "profiling.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -27,7 +28,8 @@ Foam::unifiedOperator::unifiedOperator(momentumFlux& flux)
 :
     flux_(flux),
     source_(flux.geometry().mesh().nCells(), 0),
-    mass_(flux.geometry().V())
+    mass_(flux.geometry().V()),
+    usualBetaDt_(-1)
 {
     updateMass();
 }
@@ -47,6 +49,8 @@ void Foam::unifiedOperator::updateMass()
 
 void Foam::unifiedOperator::apply(const unifiedVector& v, unifiedVector& y)
 {
+    addProfiling(apply, "unifiedOperator::apply");
+
     flux_.forces(v, nullptr, y.U, y.Uf);
 
     forAll(y.U, celli)
@@ -221,6 +225,8 @@ void Foam::unifiedOperator::residual
     unifiedVector& r
 )
 {
+    addProfiling(residual, "unifiedOperator::residual");
+
     flux_.forces(z, &k.D, r.U, r.Uf);
 
     forAll(r.U, celli)

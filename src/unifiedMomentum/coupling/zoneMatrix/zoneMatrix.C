@@ -20,6 +20,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "zoneMatrix.H"
+#include "profiling.H"
 #include "volFields.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
@@ -114,6 +115,11 @@ void Foam::zoneMatrix::set
         interfaceIntCoeffs_[face.patchi][face.i] = c + out;
     }
 
+    // A solver is a phase of the profiling from its construction on, and phases
+    // must be nested: one that stays would end the run
+    const int profiles = profiling::allowed;
+    profiling::allowed = 0;
+
     solver_ = lduMatrix::solver::New
     (
         psi_.name(),
@@ -123,6 +129,8 @@ void Foam::zoneMatrix::set
         psi_.boundaryField().scalarInterfaces(),
         solverControls
     );
+
+    profiling::allowed = profiles;
 }
 
 
@@ -136,6 +144,8 @@ void Foam::zoneMatrix::tryOut()
 
 Foam::label Foam::zoneMatrix::solve(const scalarField& b, scalarField& x)
 {
+    addProfiling(solve, "zoneMatrix::solve." + psi_.name());
+
     const labelList& cells = zone_.cells();
 
     forAll(b_, i)

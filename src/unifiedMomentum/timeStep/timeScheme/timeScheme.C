@@ -78,6 +78,12 @@ void Foam::timeScheme::newStep()
 }
 
 
+Foam::scalar Foam::timeScheme::usualBetaDt() const
+{
+    return name() == "backward" && !haveOldOld_ ? dt_/1.5 : betaDt();
+}
+
+
 void Foam::timeScheme::setKnown
 (
     const unifiedFields& fields,

@@ -187,6 +187,17 @@ void Foam::picardSystem::solve()
 
         const flexibleGMRES::performance perf = krylov_.solve(*this, z_, r_);
 
+        if
+        (
+            perf.converged && perf.nSweeps == 1
+         && !newton_.active() && !sweep_.enclosed().elastic()
+        )
+        {
+            // One step from the true residual does not drift
+            sweep_.enclosed().setLevel(z_.p);
+            break;
+        }
+
         updateResidual();
         if (perf.broken)
         {

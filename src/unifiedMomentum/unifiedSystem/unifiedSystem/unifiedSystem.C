@@ -20,6 +20,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "unifiedSystem.H"
+#include "profiling.H"
 #include "caseReport.H"
 #include "caseWarnings.H"
 #include "caseFiles.H"
@@ -292,6 +293,8 @@ void Foam::unifiedSystem::limitDeltaT(Time& runTime) const
 
 void Foam::unifiedSystem::predict()
 {
+    addProfiling(predict, "unifiedSystem::predict");
+
     picard_ = 0;
 
     controls_.read();
@@ -303,6 +306,7 @@ void Foam::unifiedSystem::predict()
     }
     scheme_.setKnown(fields_, flux_.geometry(), system_.known());
     system_.start(fields_);
+    system_.setUsualBetaDt(scheme_.usualBetaDt());
 
     if (scheme_.haveOldOld())
     {
@@ -350,6 +354,8 @@ bool Foam::unifiedSystem::picard()
 
 void Foam::unifiedSystem::solve()
 {
+    addProfiling(solve, "unifiedSystem::solve");
+
     system_.solve();
     meshFollows_ = false;
 }
@@ -357,6 +363,8 @@ void Foam::unifiedSystem::solve()
 
 void Foam::unifiedSystem::updateDisplacement()
 {
+    addProfiling(update, "unifiedSystem::updateDisplacement");
+
     const unifiedVector& z = system_.z();
     const unifiedOperator::known& known = system_.known();
 

@@ -22,6 +22,7 @@ License
 
 #include "rigidBodyModes.H"
 #include "aggregation.H"
+#include "profiling.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -317,11 +318,12 @@ void Foam::rigidBodyModes::setError()
       : own_.valid() ? own_().error()
       : coarse_().error();
 
-    // Where the matrix is not that of the operator by construction, or not of
-    // the one at the next state
+    // Where the matrix is not that of the operator by construction, not of the
+    // one at the next state, or of other time steps
     if
     (
         nodes_.geometry().skewed(true) || op_.flux().strain().active()
+     || betaDt_ != op_.flux().betaDt()
      || returnReduce(error_, maxOp<scalar>()) > 1
     )
     {
@@ -485,6 +487,7 @@ Foam::rigidBodyModes::rigidBodyModes(unifiedOperator& op, const faces& f)
 :
     solidPreconditioner(op, f),
     nodes_(op.geometry(), seenByLinks(op)),
+    betaDt_(-1),
     timeIndex_(-1),
     written_(true),
     error_(GREAT),
@@ -496,14 +499,24 @@ Foam::rigidBodyModes::rigidBodyModes(unifiedOperator& op, const faces& f)
 
 void Foam::rigidBodyModes::update()
 {
+    const scalar betaDt = op_.usualBetaDt();
+
     if (takeShape() || !stiffness_.valid())
     {
+        addProfiling(setUp, "rigidBodyModes::setUp");
         setUp();
     }
+    else if (betaDt == betaDt_)
+    {
+        smoother_().update();
+        setError();
+        return;
+    }
+    betaDt_ = betaDt;
+
+    addProfiling(matrix, "rigidBodyModes::update");
 
     // The operator over beta dt
-    const scalar betaDt = op_.flux().betaDt();
-
     scalarField cellDiagonal(op_.mass()/betaDt);
     cellDiagonal += op_.source();
     cellDiagonal /= betaDt;
