@@ -323,6 +323,15 @@ def volumeUnder(case, folder, n, nz):
     return volume/width, max(abs(p[1]) for p in points.values())
 
 
+def endsMoved(case, folder):
+    """Largest displacement of points of the slab's clamped ends."""
+    start = values(case/"constant"/"polyMesh"/"points")
+    now = values(folder/"polyMesh"/"points")
+    return max(abs(now[j] - start[j])
+               for i in range(0, len(start), 3) for j in range(i, i + 3)
+               if start[i + 1] < 1e-12 and start[i] in (0, 1))
+
+
 def simulate(case):
     return (columnCase.run(case, "blockMesh")
          or columnCase.run(case, columnCase.SOLVER))
@@ -359,6 +368,9 @@ def checkVolume(counted, folder):
             f" interface moved by {moved:.3f},"
             f" Picard iterations {sum(picard)/len(picard):.1f},"
             f" sweeps {sum(sweeps)/len(sweeps):.1f}")
+        ends = endsMoved(case, time)
+        counted.check(ends < 1e-15, f"{label}: points of clamped ends stay,"
+                                    f" {ends:.1e} (at most 1e-15)")
 
 
 def sameFiles(a, b):

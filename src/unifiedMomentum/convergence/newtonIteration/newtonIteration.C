@@ -17,10 +17,6 @@ License
     You should have received a copy of the GNU General Public License
     along with umfsiFoam.  If not, see <http://www.gnu.org/licenses/>.
 
-Class
-    Foam::materials::linearElastic
-
-
 \*---------------------------------------------------------------------------*/
 
 #include "newtonIteration.H"
@@ -36,6 +32,7 @@ Foam::newtonIteration::newtonIteration(momentumFlux& flux)
     change_(-1),
     increment_(-1),
     positive_(false),
+    grew_(false),
     wasInsideOut_(false),
     nHalved_(0)
 {}
@@ -80,6 +77,7 @@ void Foam::newtonIteration::start
     change_ = -1;
     increment_ = -1;
     positive_ = false;
+    grew_ = false;
 }
 
 
@@ -151,6 +149,7 @@ void Foam::newtonIteration::finish
     if (before > 0 && change_ > before && increment_ > 1e-2)
     {
         positive_ = true;
+        grew_ = true;
     }
     else if (change_ < 0.1)
     {

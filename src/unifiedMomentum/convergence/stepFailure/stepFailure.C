@@ -224,12 +224,13 @@ void Foam::stepFailure::checkConverged
 (
     const unifiedVector& r,
     const label nSweeps,
-    const scalar increment
+    const newtonIteration& newton
 )
 {
     const wordList& names = blockResiduals::names;
     const scalarList& relative = residuals_.relative();
 
+    const scalar increment = newton.increment();
     const bool moves = increment > controls_.solidIncrement();
 
     if (controls_.passes(relative) && !moves)
@@ -260,6 +261,17 @@ void Foam::stepFailure::checkConverged
         which
             << " solidIncrement " << increment << " > "
             << controls_.solidIncrement();
+    }
+
+    if (newton.grew())
+    {
+        which
+            << nl << "    Changes of solids of large strain grew from one"
+            << " Picard iteration to the next:" << nl
+            << "    pressed so much that they buckle, or beyond what their law"
+            << " bears? Smaller time" << nl
+            << "    step; the force of StVenantKirchhoff falls below 0.58 of"
+            << " its length";
     }
 
     const label worst = findMax(relative);

@@ -285,6 +285,7 @@ Foam::label Foam::solidSolver::solve
     label nIterations = 0;
 
     choosePreconditioner();
+    preconditioner_->prepare();
 
     if (maxIter == 0 || preconditioner_->error() <= tolerance)
     {

@@ -17,10 +17,6 @@ License
     You should have received a copy of the GNU General Public License
     along with umfsiFoam.  If not, see <http://www.gnu.org/licenses/>.
 
-Class
-    Foam::materials::linearElastic
-
-
 \*---------------------------------------------------------------------------*/
 
 #include "StVenantKirchhoff.H"

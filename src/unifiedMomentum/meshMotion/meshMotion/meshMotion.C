@@ -344,42 +344,4 @@ void Foam::meshMotion::follow
 }
 
 
-void Foam::meshMotion::followSolid
-(
-    const vectorField& D,
-    const tensorField& gradD
-)
-{
-    const fluxGeometry& geometry = flux_->geometry();
-    const pointField& C = geometry.cellCentres(true);
-
-    vectorField d(mesh_.nPoints(), Zero);
-    scalarField count(mesh_.nPoints(), 0);
-
-    for (const label celli : geometry.cellsAndFaces(true).cells)
-    {
-        for (const label pointi : mesh_.cellPoints()[celli])
-        {
-            d[pointi] +=
-                D[celli] + ((points0_[pointi] - C[celli]) & gradD[celli]);
-            count[pointi] += 1;
-        }
-    }
-
-    syncTools::syncPointList(mesh_, d, plusEqOp<vector>(), vector::zero);
-    syncTools::syncPointList(mesh_, count, plusEqOp<scalar>(), scalar(0));
-
-    const vectorField& present = displacement_.primitiveField();
-    forAll(d, pointi)
-    {
-        d[pointi] =
-            ofFluid_[pointi] || count[pointi] == 0
-          ? present[pointi] : d[pointi]/count[pointi];
-    }
-
-    displacement_.primitiveFieldRef() = d;
-    mesh_.movePoints(points0_ + d);
-}
-
-
 // ************************************************************************* //

@@ -185,7 +185,13 @@ void Foam::patchConditions::coefficients
 )
 {
     const vectorField n(U.patch().nf());
-    const symmTensorField nn(sqr(n));
+
+    // sqr(n) of OpenFOAM's packaged library reads behind the last vector
+    symmTensorField nn(n.size());
+    forAll(nn, i)
+    {
+        nn[i] = sqr(n[i]);
+    }
 
     C = tensorField(U.size(), Zero);
     r = vectorField(U.size(), Zero);

@@ -232,7 +232,7 @@ void Foam::picardSystem::checkStep()
     residuals_.update(zOld_, z_, r_);
     failure_.checkFinite(r_);
     failure_.checkInsideOut(newton_);
-    failure_.checkConverged(r_, nSweeps_, newton_.increment());
+    failure_.checkConverged(r_, nSweeps_, newton_);
 }
 
 

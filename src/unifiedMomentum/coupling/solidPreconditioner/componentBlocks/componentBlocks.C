@@ -21,6 +21,39 @@ License
 
 
 #include "componentBlocks.H"
+#include "cellLengths.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+    //- The rotation R of F = R.U, F^T = I + G, in solved directions
+    static tensor rotationOf(const tensor& G, const Vector<label>& solved)
+    {
+        tensor FT(tensor::I);
+        for (direction i = 0; i < vector::nComponents; ++i)
+        {
+            for (direction j = 0; j < vector::nComponents; ++j)
+            {
+                FT(i, j) += solved[i] > 0 && solved[j] > 0 ? G(i, j) : 0;
+            }
+        }
+        const tensor F(FT.T());
+
+        vector values;
+        tensor vectors;
+        cellLengths::eigen(symm(FT & F), values, vectors);
+
+        symmTensor invU(Zero);
+        for (direction k = 0; k < vector::nComponents; ++k)
+        {
+            invU += sqr(vectors.row(k))/Foam::sqrt(max(values[k], VSMALL));
+        }
+
+        return F & invU;
+    }
+}
+
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -99,15 +132,59 @@ void Foam::componentBlocks::solve
             sum += nei*beyond[facei - mesh.nInternalFaces()][cmpt];
         }
 
-        vector du(Zero);
-        du[cmpt] = sum/(own + nei);
+        x.Uf[i][cmpt] += sum/(own + nei);
+    }
+}
+
+
+void Foam::componentBlocks::toFrames
+(
+    const unifiedVector& r,
+    unifiedVector& turned
+) const
+{
+    turned = r;
+
+    if (frames_.empty())
+    {
+        return;
+    }
+
+    for (const label celli : op_.geometry().cellsAndFaces(true).cells)
+    {
+        turned.U[celli] = r.U[celli] & frames_[celli];
+    }
+    forAll(turned.Uf, i)
+    {
+        turned.Uf[i] = r.Uf[i] & faceFrames_[i];
+    }
+}
+
+
+void Foam::componentBlocks::fromFrames(unifiedVector& x) const
+{
+    const fluxGeometry& geometry = op_.geometry();
+
+    if (frames_.size())
+    {
+        for (const label celli : geometry.cellsAndFaces(true).cells)
+        {
+            x.U[celli] = frames_[celli] & x.U[celli];
+        }
+        forAll(x.Uf, i)
+        {
+            x.Uf[i] = faceFrames_[i] & x.Uf[i];
+        }
+    }
+
+    forAll(x.Uf, i)
+    {
+        const label facei = geometry.unknownFaces()[i];
 
         if (geometry.kind(facei) == fluxGeometry::SLIP)
         {
-            du = geometry.tangential(facei, du);
+            x.Uf[i] = geometry.tangential(facei, x.Uf[i]);
         }
-
-        x.Uf[i] += du;
     }
 }
 
@@ -123,24 +200,81 @@ Foam::componentBlocks::componentBlocks
 :
     solidPreconditioner(op, f),
     block_(block),
+    frames_(),
+    faceFrames_(),
     rest_(op.geometry().mesh().nCells(), f.weight.size()),
+    turned_(rest_),
+    part_(rest_),
     Ax_(rest_)
 {}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+void Foam::componentBlocks::prepare()
+{
+    const finiteStrain& strain = op_.flux().strain();
+
+    if (!strain.active())
+    {
+        return;
+    }
+
+    const fluxGeometry& geometry = op_.geometry();
+    const fvMesh& mesh = geometry.mesh();
+    const tensorField& G = strain.G();
+
+    frames_.setSize(mesh.nCells(), tensor::I);
+    faceFrames_.setSize(faces_.weight.size(), tensor::I);
+
+    for (const label celli : geometry.cellsAndFaces(true).cells)
+    {
+        frames_[celli] = rotationOf(G[celli], mesh.solutionD());
+    }
+
+    // Both processes of a face between solids take the same
+    const tensorField beyond(geometry.neighbourValues(G));
+
+    forAll(faceFrames_, i)
+    {
+        const label facei = geometry.unknownFaces()[i];
+        const label own = mesh.faceOwner()[facei];
+        tensor mean(G[own]);
+
+        if (mesh.isInternalFace(facei))
+        {
+            const label nei = mesh.faceNeighbour()[facei];
+            const scalar ownSolid = geometry.materials().solid(own);
+            const scalar neiSolid = geometry.materials().solid(nei);
+
+            mean =
+                (ownSolid*G[own] + neiSolid*G[nei])
+               /max(ownSolid + neiSolid, 1);
+        }
+        else if (geometry.coupled(facei) && faces_.weight[i] == 0.5)
+        {
+            mean = 0.5*(mean + beyond[facei - mesh.nInternalFaces()]);
+        }
+
+        faceFrames_[i] = rotationOf(mean, mesh.solutionD());
+    }
+}
+
+
 void Foam::componentBlocks::apply(const unifiedVector& r, unifiedVector& x)
 {
+    toFrames(r, turned_);
     x.setZero();
 
     for (direction cmpt = 0; cmpt < vector::nComponents; ++cmpt)
     {
         if (op_.geometry().mesh().solutionD()[cmpt] > 0)
         {
-            solve(cmpt, r, x);
+            solve(cmpt, turned_, x);
         }
     }
+
+    fromFrames(x);
 }
 
 
@@ -164,8 +298,13 @@ void Foam::componentBlocks::solveOnce
                 rest_ = r;
                 rest_.add(-1, Ax_);
             }
-            solve(cmpt, rest_, x);
             first = false;
+
+            toFrames(rest_, turned_);
+            part_.setZero();
+            solve(cmpt, turned_, part_);
+            fromFrames(part_);
+            x.add(1, part_);
         }
     }
 }
