@@ -160,6 +160,64 @@ static void checkBeam
 }
 
 
+//- Length and frequency of a beam of 8 m x 0.5 m x 1 m, turned by 45 degrees
+//  or not, clamped at xMax, free at xMin or a half that is mirrored there
+static void testTurned
+(
+    const Time& runTime,
+    const label nZ,
+    const bool turned,
+    const bool mirrored
+)
+{
+    const string name
+    (
+        string(nZ == 1 ? "2-D" : "3-D")
+      + (turned ? ", turned" : "") + (mirrored ? ", half: " : ": ")
+    );
+    const polyhedra cells
+    (
+        hexes(uniform(0, 8, 16), uniform(0, 0.5, 4), uniform(0, 1, nZ))
+    );
+    const scalar a = turned ? std::sqrt(0.5) : 1;
+    const scalar b = turned ? a : 0;
+
+    writeMaterials(runTime, rubber);
+    const autoPtr<fvMesh> mesh
+    (
+        boxMesh
+        (
+            runTime,
+            cells,
+            tensor(a, -b, 0, b, a, 0, 0, 0, 1) & cells.points,
+            [](const point&) { return word("solid"); },
+            false,
+            mirrored
+        )
+    );
+    const materialZones materials(mesh());
+    const autoPtr<volVectorField> U
+    (
+        velocity
+        (
+            mesh(),
+            "xMax " + clamped + "\"(xMin|y.*|z.*)\" " + freeSurface
+        )
+    );
+    const fluxGeometry geometry(materials, U());
+    const solidPieces solids(geometry);
+    const solidPieces::piece& p = solids.pieces()[0];
+
+    checkNear(p.length, 8, 0.05, name + "length");
+
+    // Clamped and free, or clamped at both ends of 16 m
+    const scalar kOverL = mirrored ? 4.730/16 : 1.875/8;
+    const scalar frequency =
+        sqr(kOverL)/(2*pi)*0.5*std::sqrt(3/((1 - 0.0625)*2*12));
+    checkNear(p.frequency, frequency, 0.02*frequency, name + "frequency");
+}
+
+
 // * * * * * * * * * * * * * * * *  Channel  * * * * * * * * * * * * * * * * //
 
 //- A fluid of 8 m x 1 m between a wall at rest and a layer of 0.5 m, which is
@@ -324,6 +382,15 @@ int main(int argc, char* argv[])
     {
         checkBeam(beam(runTime(), 2, 1, 1)(), 2, 1, 1, bothEnds);
         checkBeam(beam(runTime(), 4, 2, 2)(), 4, 2, 2, bothEnds);
+    }
+
+    for (const bool turned : {false, true})
+    {
+        for (const bool mirrored : {false, true})
+        {
+            testTurned(runTime(), 1, turned, mirrored);
+            testTurned(runTime(), 2, turned, mirrored);
+        }
     }
 
     for (const bool above : {false, true})
