@@ -369,12 +369,14 @@ void Foam::meshMotion::followSolid
     syncTools::syncPointList(mesh_, d, plusEqOp<vector>(), vector::zero);
     syncTools::syncPointList(mesh_, count, plusEqOp<scalar>(), scalar(0));
 
+    // A plane of symmetry that is read as not flat stops every program
     const vectorField& present = displacement_.primitiveField();
     forAll(d, pointi)
     {
         d[pointi] =
             ofFluid_[pointi] || count[pointi] == 0
-          ? present[pointi] : d[pointi]/count[pointi];
+          ? present[pointi]
+          : (hold_[pointi] & vector(d[pointi]/count[pointi]));
     }
 
     displacement_.primitiveFieldRef() = d;
