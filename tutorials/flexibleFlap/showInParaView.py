@@ -67,7 +67,7 @@ show(view, warped, "POINTS", "D", "Magnitude")
 # The first Render moves the camera
 Render(view)
 view.CameraParallelProjection = 1
-view.CameraPosition = [0.08, 0.08, 5]
+view.CameraPosition = [0.08, 0.02, 5]
 view.CameraFocalPoint = [0.08, 0.02, 0]
 view.CameraViewUp = [0, 1, 0]
 view.CameraParallelScale = 0.045

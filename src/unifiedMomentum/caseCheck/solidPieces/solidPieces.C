@@ -129,6 +129,7 @@ void Foam::solidPieces::setSupports(List<boundBox>& clamped)
     labelField nGiven(pieces_.size(), 0);
     labelField nRollers(pieces_.size(), 0);
     List<symmTensor> hold(pieces_.size(), symmTensor::zero);
+    rollers_ = symmTensorField(pieces_.size(), Zero);
     clamped.setSize(pieces_.size(), boundBox());
 
     for (label patchi = 0; patchi < nPatches; ++patchi)
@@ -160,6 +161,7 @@ void Foam::solidPieces::setSupports(List<boundBox>& clamped)
                 {
                     ++nRollers[piecei];
                     hold[piecei] += area*sqr(geometry_.n(true)[facei]);
+                    rollers_[piecei] += area*sqr(geometry_.n(true)[facei]);
                     break;
                 }
                 default:
@@ -172,6 +174,7 @@ void Foam::solidPieces::setSupports(List<boundBox>& clamped)
 
     reduce(nGiven, sumOp<labelField>());
     reduce(nRollers, sumOp<labelField>());
+    reduce(rollers_, sumOp<symmTensorField>());
 
     forAll(pieces_, i)
     {
@@ -222,6 +225,17 @@ Foam::scalar Foam::solidPieces::plateSpeed(const material& m)
 }
 
 
+Foam::tensor Foam::solidPieces::longAxes(const symmTensor& secondMoment)
+{
+    vector values;
+    tensor directions;
+    cellLengths::eigen(secondMoment, values, directions);
+
+    // Of a square, a disc or a ring no direction is longer
+    return values[2] > 2*values[1] ? directions : tensor::I;
+}
+
+
 void Foam::solidPieces::setThinnest(const List<boundBox>& clamped)
 {
     const fvMesh& mesh = geometry_.mesh();
@@ -241,7 +255,8 @@ void Foam::solidPieces::setThinnest(const List<boundBox>& clamped)
     scalarField area(pieces_.size(), 0);
     scalarField speed(pieces_.size(), GREAT);
     pointField place(pieces_.size(), point::max);
-    List<boundBox> box(pieces_.size(), boundBox());
+    vectorField moment(pieces_.size(), Zero);
+    symmTensorField secondMoment(pieces_.size(), Zero);
 
     for (const cellsThrough::passage& walk : through.passages())
     {
@@ -249,11 +264,14 @@ void Foam::solidPieces::setThinnest(const List<boundBox>& clamped)
 
         if (walk.thickness < 1.5*thickness[i])
         {
+            const scalar S = mag(geometry_.S(true)[walk.face]);
+
             nThrough[i] = min(nThrough[i], walk.nCells);
-            area[i] += mag(geometry_.S(true)[walk.face]);
+            area[i] += S;
+            moment[i] += S*centres[walk.face];
+            secondMoment[i] += S*sqr(centres[walk.face]);
             speed[i] =
                 min(speed[i], plateSpeed(geometry_.materials()[walk.cell]));
-            box[i].add(mesh.faces()[walk.face].points(mesh.points()));
 
             if (walk.thickness <= (1 + 1e-6)*thickness[i])
             {
@@ -265,14 +283,48 @@ void Foam::solidPieces::setThinnest(const List<boundBox>& clamped)
     reduce(nThrough, minOp<labelField>());
     reduce(area, sumOp<scalarField>());
     reduce(speed, minOp<scalarField>());
+    reduce(moment, sumOp<vectorField>());
+    reduce(secondMoment, sumOp<symmTensorField>());
+
+    // Where they reach to, along axes of their own
+    tensorField axes(pieces_.size(), tensor::I);
+    List<boundBox> box(pieces_.size(), boundBox());
+
+    forAll(pieces_, i)
+    {
+        if (area[i] > 0)
+        {
+            axes[i] = longAxes
+            (
+                secondMoment[i]/area[i] - sqr(moment[i]/area[i])
+            );
+        }
+    }
+    for (const cellsThrough::passage& walk : through.passages())
+    {
+        const label i = pieceOf_[walk.cell];
+
+        if (walk.thickness < 1.5*thickness[i])
+        {
+            for (const label pointi : mesh.faces()[walk.face])
+            {
+                box[i].add(axes[i] & mesh.points()[pointi]);
+            }
+        }
+    }
 
     // The depth of a 2-D mesh
     scalar depth = 1;
+    vector solved(vector::one);
     const boundBox whole(mesh.points());
     const vector span(whole.span());
     for (direction d = 0; d < 3; ++d)
     {
-        depth *= mesh.solutionD()[d] < 0 ? span[d] : 1;
+        if (mesh.solutionD()[d] < 0)
+        {
+            depth *= span[d];
+            solved[d] = 0;
+        }
     }
 
     forAll(pieces_, i)
@@ -293,14 +345,19 @@ void Foam::solidPieces::setThinnest(const List<boundBox>& clamped)
         p.thickness = thickness[i];
         p.thinnest = place[i];
 
-        vector sides(box[i].span());
-        label along = 0;
+        const vector rows[] = { axes[i].x(), axes[i].y(), axes[i].z() };
+        vector e(Zero);
+        p.length = 0;
         for (direction d = 0; d < 3; ++d)
         {
-            sides[d] *= mesh.solutionD()[d] < 0 ? 0 : 1;
-            along = sides[d] > sides[along] ? label(d) : along;
+            const scalar side =
+                mag(cmptMultiply(rows[d], solved))*box[i].span()[d];
+            if (side > p.length)
+            {
+                p.length = side;
+                e = rows[d];
+            }
         }
-        p.length = sides[along];
 
         p.slenderness =
             mesh.nSolutionD() == 2
@@ -309,12 +366,16 @@ void Foam::solidPieces::setThinnest(const List<boundBox>& clamped)
 
         if (p.nGiven && p.length > 5*p.thickness)
         {
-            const bool both = clamped[i].span()[along] > 0.5*p.length;
+            // Rollers across it are symmetry planes: the middle of a part that
+            // is twice as long and ends as it begins
+            const bool half = (e & rollers_[i] & e) > 0.1*tr(rollers_[i]);
+            const bool both =
+                half || (cmptMag(e) & clamped[i].span()) > 0.5*p.length;
 
             p.frequency =
                 sqr(both ? 4.730 : 1.875)
                /(constant::mathematical::twoPi*sqrt(12.0))
-               *p.thickness/sqr(p.length)*speed[i];
+               *p.thickness/sqr(half ? 2*p.length : p.length)*speed[i];
         }
     }
 }
@@ -326,7 +387,8 @@ Foam::solidPieces::solidPieces(const fluxGeometry& geometry)
 :
     geometry_(geometry),
     pieceOf_(geometry.mesh().nCells(), -1),
-    pieces_()
+    pieces_(),
+    rollers_()
 {
     List<boundBox> clamped;
 

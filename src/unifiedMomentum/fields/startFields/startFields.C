@@ -20,6 +20,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "startFields.H"
+#include "cellPlace.H"
 #include "faceValue.H"
 #include "gaussGradient.H"
 #include "linear.H"
@@ -27,6 +28,30 @@ License
 #include "patchConditions.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::vectorField Foam::startFields::across(const vectorField& cells) const
+{
+    const fvMesh& mesh = fields_.mesh();
+    const fluxGeometry::zone& solid = geometry_.cellsAndFaces(true);
+    const vectorField beyond(geometry_.neighbourValues(cells));
+    vectorField difference(mesh.nFaces(), Zero);
+
+    for (const label facei : solid.internal)
+    {
+        difference[facei] =
+            cells[mesh.faceNeighbour()[facei]]
+          - cells[mesh.faceOwner()[facei]];
+    }
+    for (const label facei : solid.coupled)
+    {
+        difference[facei] =
+            beyond[facei - mesh.nInternalFaces()]
+          - cells[mesh.faceOwner()[facei]];
+    }
+
+    return difference;
+}
+
 
 void Foam::startFields::interpolateVelocity()
 {
@@ -219,6 +244,76 @@ bool Foam::startFields::isRestart() const
      && fields_.Uf().nOldTimes() > 0
      && fields_.Df().nOldTimes() > 0
      && fields_.phi().nOldTimes() > 0;
+}
+
+
+void Foam::startFields::refuseSteps() const
+{
+    if (haveDf_)
+    {
+        return;
+    }
+
+    const fvMesh& mesh = fields_.mesh();
+    const labelUList& own = mesh.faceOwner();
+    const labelList& cells = geometry_.cellsAndFaces(true).cells;
+    const vectorField d(across(geometry_.cellCentres(true)));
+    const vectorField dD(across(fields_.D().primitiveField()));
+
+    label nCells = cells.size();
+    label nSteps = 0;
+    cellPlace worst;
+
+    for (const label celli : cells)
+    {
+        scalar step = 0;
+
+        for (const label a : mesh.cells()[celli])
+        {
+            for (const label b : mesh.cells()[celli])
+            {
+                const scalar sign =
+                    (own[a] == celli) == (own[b] == celli) ? 1 : -1;
+                const bool opposite =
+                    sign*(d[a] & d[b]) < -0.5*mag(d[a])*mag(d[b]);
+
+                if (opposite && mag(dD[a]) == 0)
+                {
+                    step = max(step, mag(dD[b])/mag(d[b]));
+                }
+            }
+        }
+
+        if (step > 1e-3)
+        {
+            ++nSteps;
+            if (step > worst.value())
+            {
+                worst = cellPlace(mesh, celli, step);
+            }
+        }
+    }
+
+    reduce(nCells, sumOp<label>());
+    reduce(nSteps, sumOp<label>());
+    worst.reduce();
+
+    if (nSteps > 0.05*nCells)
+    {
+        FatalErrorInFunction
+            << "Field D of time " << mesh.time().timeName() << " goes up in"
+            << " steps: " << nSteps << " of " << nCells << " cells of solids"
+            << " have exactly the value of the cell on one side," << nl
+            << "    and not on the other. The largest step, "
+            << worst.value() << " of the distance, in" << nl
+            << "        " << worst.text().c_str() << nl
+            << "    mapFields makes such steps on a finer mesh. To solids of"
+            << " large strain, and where the mesh follows the solid," << nl
+            << "    they are strain that was not there" << nl
+            << "    Valid choices: the start of the run on this mesh; a D"
+            << " without steps; linearElastic solids and a mesh at rest"
+            << exit(FatalError);
+    }
 }
 
 

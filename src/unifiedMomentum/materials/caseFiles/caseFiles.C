@@ -36,7 +36,27 @@ void Foam::caseFiles::require
     if (path.empty() || !isFile(path))
     {
         FatalErrorInFunction
-            << "File " << file.objectPath() << " is missing" << nl
+            << "File " << file.objectPath() << " is missing" << nl;
+
+        // A start is copied from there, as in tutorials; not what a run has lost
+        const fileName folder(file.time().globalPath());
+        const fileName original("0.orig"/file.name());
+        const bool copied = isDir(folder/file.instance());
+
+        if
+        (
+            isFile(folder/original)
+         && (!copied || file.instance() == "0")
+        )
+        {
+            FatalError
+                << "    There is one in 0.orig: cp "
+                << (copied ? original.c_str() : "-r 0.orig") << ' '
+                << file.instance().c_str()
+                << exit(FatalError);
+        }
+
+        FatalError
             << "    For example:" << nl << nl << example.c_str()
             << exit(FatalError);
     }

@@ -255,23 +255,28 @@ void Foam::meshMotion::setHolds()
          || isA<basicSymmetryPointPatchField<vector>>(pd);
 
         const vectorField& n = patch.pointNormals();
+        const bool plane = isA<symmetryPlanePointPatch>(pd.patch());
 
         forAll(patch, i)
         {
-            if (geometry.materials().solid(patch.faceCells()[i]))
-            {
-                continue;
-            }
+            // Of solids the points inside, on planes of symmetry only
+            const bool solid =
+                geometry.materials().solid(patch.faceCells()[i]);
 
             for (const label localPoint : patch.localFaces()[i])
             {
-                holdBothEqOp()
-                (
-                    hold_[patch.meshPoints()[localPoint]],
-                    slides
-                  ? symmTensor(symmTensor::I - sqr(n[localPoint]))
-                  : symmTensor(Zero)
-                );
+                const label pointi = patch.meshPoints()[localPoint];
+
+                if (!solid || (plane && !ofFluid_[pointi]))
+                {
+                    holdBothEqOp()
+                    (
+                        hold_[pointi],
+                        slides
+                      ? symmTensor(symmTensor::I - sqr(n[localPoint]))
+                      : symmTensor(Zero)
+                    );
+                }
             }
         }
     }

@@ -112,9 +112,11 @@ void Foam::meshMotion::followSolid
     syncTools::syncPointList(mesh_, d, plusEqOp<vector>(), vector::zero);
     syncTools::syncPointList(mesh_, count, plusEqOp<scalar>(), scalar(0));
 
+    // A plane of symmetry that is read as not flat stops every program
     forAll(d, pointi)
     {
-        d[pointi] /= max(count[pointi], 1);
+        const vector mean(d[pointi]/max(count[pointi], 1));
+        d[pointi] = hold_[pointi] & mean;
     }
     setSolidPatches(D, d);
 

@@ -77,6 +77,10 @@ void Foam::unifiedSystem::startFromDisk()
 
     // A restart reads the previous levels with the fields
     scheme_.setHaveOldOld(start.isRestart());
+    if (motion_ || flux_.strain().active())
+    {
+        start.refuseSteps();
+    }
     start.setFaces();
 
     if (motion_)

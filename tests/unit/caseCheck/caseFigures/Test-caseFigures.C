@@ -23,11 +23,15 @@ Description
     part, slenderness, frequency of bending, time scales; in two and in three
     dimensions. And the name that is nearest to a misspelt one.
 
+    With -case run/beam or run/channel those of one mesh, on any processes.
+
 \*---------------------------------------------------------------------------*/
 
 #include "testMesh.H"
 #include "testing.H"
+#include "argList.H"
 #include "caseFiles.H"
+#include "labelIOList.H"
 #include "timeScales.H"
 #include "mathematicalConstants.H"
 
@@ -55,10 +59,36 @@ static void near(const scalar value, const scalar exact, const string& text)
 }
 
 
-//- A beam of 8 m x 0.5 m x depth, clamped at xMin or at both ends
-static void testBeam
+// * * * * * * * * * * * * * * * * *  Beam * * * * * * * * * * * * * * * * * //
+
+//- A beam of 8 m x 0.5 m x depth
+static autoPtr<fvMesh> beam
 (
     const Time& runTime,
+    const label nY,
+    const label nZ,
+    const scalar depth
+)
+{
+    const polyhedra cells
+    (
+        hexes(uniform(0, 8, 16), uniform(0, 0.5, nY), uniform(0, depth, nZ))
+    );
+
+    return boxMesh
+    (
+        runTime,
+        cells,
+        cells.points,
+        [](const point&) { return word("solid"); }
+    );
+}
+
+
+//- Its figures, clamped at xMin or at both ends
+static void checkBeam
+(
+    const fvMesh& mesh,
     const label nY,
     const label nZ,
     const scalar depth,
@@ -71,28 +101,14 @@ static void testBeam
         string(is2D ? "2-D" : "3-D") + " beam"
       + (bothEnds ? ", both ends: " : ": ")
     );
-    const polyhedra cells
-    (
-        hexes(uniform(0, 8, 16), uniform(0, 0.5, nY), uniform(0, depth, nZ))
-    );
 
-    writeMaterials(runTime, rubber);
-    const autoPtr<fvMesh> mesh
-    (
-        boxMesh
-        (
-            runTime,
-            cells,
-            cells.points,
-            [](const point&) { return word("solid"); }
-        )
-    );
-    const materialZones materials(mesh());
+    writeMaterials(mesh.time(), rubber);
+    const materialZones materials(mesh);
     const autoPtr<volVectorField> U
     (
         velocity
         (
-            mesh(),
+            mesh,
             bothEnds
           ? "\"x.*\" " + clamped + "\"(y|z).*\" " + freeSurface
           : "xMin " + clamped + "\"(xMax|y.*|z.*)\" " + freeSurface
@@ -144,9 +160,69 @@ static void testBeam
 }
 
 
+//- Length and frequency of a beam of 8 m x 0.5 m x 1 m, turned by 45 degrees
+//  or not, clamped at xMax, free at xMin or a half that is mirrored there
+static void testTurned
+(
+    const Time& runTime,
+    const label nZ,
+    const bool turned,
+    const bool mirrored
+)
+{
+    const string name
+    (
+        string(nZ == 1 ? "2-D" : "3-D")
+      + (turned ? ", turned" : "") + (mirrored ? ", half: " : ": ")
+    );
+    const polyhedra cells
+    (
+        hexes(uniform(0, 8, 16), uniform(0, 0.5, 4), uniform(0, 1, nZ))
+    );
+    const scalar a = turned ? std::sqrt(0.5) : 1;
+    const scalar b = turned ? a : 0;
+
+    writeMaterials(runTime, rubber);
+    const autoPtr<fvMesh> mesh
+    (
+        boxMesh
+        (
+            runTime,
+            cells,
+            tensor(a, -b, 0, b, a, 0, 0, 0, 1) & cells.points,
+            [](const point&) { return word("solid"); },
+            false,
+            mirrored
+        )
+    );
+    const materialZones materials(mesh());
+    const autoPtr<volVectorField> U
+    (
+        velocity
+        (
+            mesh(),
+            "xMax " + clamped + "\"(xMin|y.*|z.*)\" " + freeSurface
+        )
+    );
+    const fluxGeometry geometry(materials, U());
+    const solidPieces solids(geometry);
+    const solidPieces::piece& p = solids.pieces()[0];
+
+    checkNear(p.length, 8, 0.05, name + "length");
+
+    // Clamped and free, or clamped at both ends of 16 m
+    const scalar kOverL = mirrored ? 4.730/16 : 1.875/8;
+    const scalar frequency =
+        sqr(kOverL)/(2*pi)*0.5*std::sqrt(3/((1 - 0.0625)*2*12));
+    checkNear(p.frequency, frequency, 0.02*frequency, name + "frequency");
+}
+
+
+// * * * * * * * * * * * * * * * *  Channel  * * * * * * * * * * * * * * * * //
+
 //- A fluid of 8 m x 1 m between a wall at rest and a layer of 0.5 m, which is
 //  above or below: the owners of the faces between them are fluid or solid
-static void testChannel
+static autoPtr<fvMesh> channel
 (
     const Time& runTime,
     const label nZ,
@@ -154,40 +230,49 @@ static void testChannel
     const bool above
 )
 {
-    const string name(nZ == 1 ? "2-D channel: " : "3-D channel: ");
     const polyhedra cells
     (
         hexes(uniform(0, 8, 16), uniform(0, 1.5, 12), uniform(0, depth, nZ))
     );
 
-    writeMaterials
+    return boxMesh
     (
         runTime,
+        cells,
+        cells.points,
+        [&](const point& c)
+        {
+            const bool solid = above ? c.y() > 1 : c.y() < 0.5;
+            return word(solid ? "solid" : "fluid");
+        }
+    );
+}
+
+
+//- Its figures
+static void checkChannel
+(
+    const fvMesh& mesh,
+    const label nZ,
+    const scalar depth
+)
+{
+    const string name(nZ == 1 ? "2-D channel: " : "3-D channel: ");
+
+    writeMaterials
+    (
+        mesh.time(),
         rubber
       + "water { type newtonianFluid; cellZones (fluid); rho 5; mu 0.5; }"
     );
-    const autoPtr<fvMesh> mesh
-    (
-        boxMesh
-        (
-            runTime,
-            cells,
-            cells.points,
-            [&](const point& c)
-            {
-                const bool solid = above ? c.y() > 1 : c.y() < 0.5;
-                return word(solid ? "solid" : "fluid");
-            }
-        )
-    );
-    const materialZones materials(mesh());
+    const materialZones materials(mesh);
     autoPtr<volVectorField> U
     (
-        velocity(mesh(), "\".*\" { type fixedValue; value uniform (0 0 0); }")
+        velocity(mesh, "\".*\" { type fixedValue; value uniform (0 0 0); }")
     );
     const autoPtr<volScalarField> p
     (
-        pressure(mesh(), "\".*\" { type zeroGradient; }")
+        pressure(mesh, "\".*\" { type zeroGradient; }")
     );
     forAll(U(), celli)
     {
@@ -216,28 +301,111 @@ static void testChannel
 }
 
 
+// * * * * * * * * * * * * * * * * Parallel  * * * * * * * * * * * * * * * * //
+
+static const label nThrough = 4;
+static const label nDeep = 3;
+static const scalar depth = 2;
+
+//- Write a mesh for Allrun, to be decomposed into a checkerboard
+static void writeCase(autoPtr<fvMesh> mesh)
+{
+    mesh->setInstance(mesh->time().constant(), IOobject::AUTO_WRITE);
+    mesh->write();
+
+    labelIOList processor
+    (
+        IOobject
+        (
+            "processorOf",
+            mesh->time().constant(),
+            mesh->time(),
+            IOobject::NO_READ,
+            IOobject::NO_WRITE,
+            false
+        ),
+        labelList(mesh->nCells())
+    );
+    forAll(processor, celli)
+    {
+        const point& c = mesh->C()[celli];
+        processor[celli] =
+            label(c.x()/0.5) + label(c.y()/0.125) + label(c.z()/depth*nDeep);
+        processor[celli] %= 2;
+    }
+    processor.write();
+}
+
+
+//- The tests on a mesh on disk
+static int runCase(int argc, char* argv[])
+{
+    argList::noBanner();
+    argList args(argc, argv);
+    const autoPtr<Time> runTime(caseTime(args.rootPath(), args.caseName()));
+    const fvMesh mesh
+    (
+        IOobject
+        (
+            polyMesh::defaultRegion,
+            runTime->constant(),
+            runTime(),
+            IOobject::MUST_READ
+        )
+    );
+
+    if (args.globalCaseName() == "beam")
+    {
+        checkBeam(mesh, nThrough, nDeep, depth, true);
+    }
+    else
+    {
+        checkChannel(mesh, nDeep, depth);
+    }
+
+    return close();
+}
+
+
 // * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
 
-int main()
+int main(int argc, char* argv[])
 {
+    if (argc > 1)
+    {
+        return runCase(argc, argv);
+    }
+
     const autoPtr<Time> runTime(caseTime("run", "boxes"));
 
     for (const bool bothEnds : {false, true})
     {
-        testBeam(runTime(), 2, 1, 1, bothEnds);
-        testBeam(runTime(), 4, 2, 2, bothEnds);
+        checkBeam(beam(runTime(), 2, 1, 1)(), 2, 1, 1, bothEnds);
+        checkBeam(beam(runTime(), 4, 2, 2)(), 4, 2, 2, bothEnds);
+    }
+
+    for (const bool turned : {false, true})
+    {
+        for (const bool mirrored : {false, true})
+        {
+            testTurned(runTime(), 1, turned, mirrored);
+            testTurned(runTime(), 2, turned, mirrored);
+        }
     }
 
     for (const bool above : {false, true})
     {
-        testChannel(runTime(), 1, 1, above);
-        testChannel(runTime(), 3, 2, above);
+        checkChannel(channel(runTime(), 1, 1, above)(), 1, 1);
+        checkChannel(channel(runTime(), 3, 2, above)(), 3, 2);
     }
 
     const wordList names({"inlet", "outlett", "walls", "top"});
     check(caseFiles::nearest("outlet", names) == "outlett", "a letter more");
     check(caseFiles::nearest("wall", names) == "walls", "a letter less");
     check(caseFiles::nearest("bottom", names).empty(), "none is near");
+
+    writeCase(beam(caseTime("run", "beam")(), nThrough, nDeep, depth));
+    writeCase(channel(caseTime("run", "channel")(), nDeep, depth, true));
 
     return close();
 }
