@@ -60,7 +60,8 @@ def nCells(case):
 def sweeps(case, log):
     """Mean of the sweeps of a step."""
     with open(os.path.join(case, log)) as f:
-        counts = [int(n) for n in re.findall(r"sweeps ([0-9]+)", f.read())]
+        counts = [int(n) for n in re.findall(
+            r"^Time = .*sweeps ([0-9]+)", f.read(), re.M)]
     return sum(counts)/len(counts)
 
 

@@ -121,12 +121,22 @@ Eigen::MatrixXd Foam::rigidBodyModes::modes() const
 
 bool Foam::rigidBodyModes::whole(const fluxGeometry& geometry)
 {
-    const label nCells = geometry.cellsAndFaces(true).cells.size();
+    const label nCells =
+        returnReduce(geometry.cellsAndFaces(true).cells.size(), sumOp<label>());
+    const bool threeD = geometry.mesh().nSolutionD() == 3;
+    const label maxWhole = threeD ? maxWhole3D : maxWhole2D;
 
+    // On few processes larger ones: it saves the iterations that a matrix cut
+    // into pieces takes
     return
         Pstream::parRun()
-     && returnReduce(nCells, sumOp<label>())
-     <= (geometry.mesh().nSolutionD() == 3 ? maxWhole3D : maxWhole2D);
+     && (
+            nCells <= maxWhole
+         || (
+                nCells <= (threeD ? maxDirect3D : maxDirect2D)
+             && nCells*Pstream::nProcs() <= 6*maxWhole
+            )
+        );
 }
 
 
