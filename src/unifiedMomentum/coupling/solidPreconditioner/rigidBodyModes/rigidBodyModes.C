@@ -491,40 +491,11 @@ void Foam::rigidBodyModes::setUp()
 }
 
 
-// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
-
-Foam::rigidBodyModes::rigidBodyModes(unifiedOperator& op, const faces& f)
-:
-    solidPreconditioner(op, f),
-    nodes_(op.geometry(), seenByLinks(op)),
-    betaDt_(-1),
-    timeIndex_(-1),
-    written_(true),
-    error_(GREAT),
-    correction_(op.geometry().mesh().nCells(), f.weight.size())
-{}
-
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-void Foam::rigidBodyModes::update()
+void Foam::rigidBodyModes::setMatrix()
 {
+    addProfiling(matrix, "rigidBodyModes::setMatrix");
+
     const scalar betaDt = op_.usualBetaDt();
-
-    if (takeShape() || !stiffness_.valid())
-    {
-        addProfiling(setUp, "rigidBodyModes::setUp");
-        setUp();
-    }
-    else if (betaDt == betaDt_)
-    {
-        smoother_().update();
-        setError();
-        return;
-    }
-    betaDt_ = betaDt;
-
-    addProfiling(matrix, "rigidBodyModes::update");
 
     // The operator over beta dt
     scalarField cellDiagonal(op_.mass()/betaDt);
@@ -532,6 +503,7 @@ void Foam::rigidBodyModes::update()
     cellDiagonal /= betaDt;
 
     stiffness_().update(cellDiagonal, vectorField(faces_.fluidSide/betaDt));
+    betaDt_ = betaDt;
 
     if (own_.valid())
     {
@@ -544,6 +516,63 @@ void Foam::rigidBodyModes::update()
 
     smoother_().update();
     setError();
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::rigidBodyModes::rigidBodyModes(unifiedOperator& op, const faces& f)
+:
+    solidPreconditioner(op, f),
+    nodes_(op.geometry(), seenByLinks(op)),
+    betaDt_(-1),
+    betaDtSince_(-1),
+    timeIndex_(-1),
+    written_(true),
+    error_(GREAT),
+    correction_(op.geometry().mesh().nCells(), f.weight.size())
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::rigidBodyModes::update()
+{
+    betaDtSince_ = nodes_.geometry().mesh().time().timeIndex();
+
+    if (takeShape() || !stiffness_.valid())
+    {
+        addProfiling(setUp, "rigidBodyModes::setUp");
+        setUp();
+    }
+    else if (mag(op_.usualBetaDt()/betaDt_ - 1) <= 0.25)
+    {
+        // Time steps that vary: some iterations are cheaper than factors
+        smoother_().update();
+        setError();
+        return;
+    }
+
+    setMatrix();
+}
+
+
+void Foam::rigidBodyModes::reshape()
+{
+    if (takeShape())
+    {
+        stiffness_.clear();
+        update();
+    }
+    else if
+    (
+        op_.usualBetaDt() != betaDt_
+     && nodes_.geometry().mesh().time().timeIndex() > betaDtSince_
+    )
+    {
+        // A time step that stays is worth them
+        setMatrix();
+    }
 }
 
 
