@@ -24,6 +24,7 @@ License
 #include "aggregation.H"
 #include "galerkinProduct.H"
 #include "labelField.H"
+#include "repeatableNumbers.H"
 #include "ListOps.H"
 #include <Eigen/QR>
 
@@ -67,11 +68,10 @@ void Foam::aggregationMultigrid::setSmoother(level& l) const
     // Largest eigenvalue from below, by power iterations from a repeatable
     // start
     Eigen::VectorXd x(A.rows());
-    unsigned long state = 1;
+    repeatableNumbers numbers;
     for (label i = 0; i < x.size(); ++i)
     {
-        state = state*6364136223846793005ul + 1442695040888963407ul;
-        x[i] = double(state >> 33)/double(1ul << 31) - 0.5;
+        x[i] = numbers.next();
     }
 
     l.rho = 1;

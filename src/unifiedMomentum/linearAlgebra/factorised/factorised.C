@@ -21,6 +21,7 @@ License
 
 
 #include "factorised.H"
+#include "repeatableNumbers.H"
 #include "error.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -29,7 +30,10 @@ namespace Foam
 {
 
 //- Symmetric: its rows are its columns
-static Eigen::Map<const Eigen::SparseMatrix<double>> byColumns(const sparseMatrix& A)
+static Eigen::Map<const Eigen::SparseMatrix<double>> byColumns
+(
+    const sparseMatrix& A
+)
 {
     return Eigen::Map<const Eigen::SparseMatrix<double>>
     (
@@ -266,11 +270,10 @@ bool Foam::factorised::tryShort(const sparseMatrix& A, const solver& LDL)
 
     // Repeatable, without structure
     Eigen::VectorXd x(A.rows());
-    unsigned long state = 1;
+    repeatableNumbers numbers;
     for (label i = 0; i < x.size(); ++i)
     {
-        state = state*6364136223846793005ul + 1442695040888963407ul;
-        x[i] = double(state >> 33)/double(1ul << 31) - 0.5;
+        x[i] = numbers.next();
     }
     for (label iter = 0; iter < 2; ++iter)
     {

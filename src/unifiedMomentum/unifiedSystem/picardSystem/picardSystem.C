@@ -187,18 +187,15 @@ void Foam::picardSystem::solve()
 
         const flexibleGMRES::performance perf = krylov_.solve(*this, z_, r_);
 
-        if
-        (
+        // One step from the true residual does not drift
+        const bool exact =
             perf.converged && perf.nSweeps == 1
-         && !newton_.active() && !sweep_.enclosed().elastic()
-        )
-        {
-            // One step from the true residual does not drift
-            sweep_.enclosed().setLevel(z_.p);
-            break;
-        }
+         && !newton_.active() && !sweep_.enclosed().elastic();
 
-        updateResidual();
+        if (!exact)
+        {
+            updateResidual();
+        }
         if (perf.broken)
         {
             residuals_.update(zOld_, z_, r_);
@@ -213,7 +210,7 @@ void Foam::picardSystem::solve()
 
         sweep_.enclosed().setLevel(z_.p);
 
-        if (!perf.converged || converged(z_, r_))
+        if (exact || !perf.converged || converged(z_, r_))
         {
             break;
         }

@@ -29,14 +29,6 @@ using namespace Foam::testing;
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
-//- Numbers between -1 and 1 that are the same in every run
-static double next(unsigned long& state)
-{
-    state = state*6364136223846793005ul + 1442695040888963407ul;
-    return double(state >> 33)/double(1ul << 30) - 1;
-}
-
-
 //- Blocks of R x C, a third of them, some without all of their entries
 static sparseMatrix someBlocks
 (
@@ -46,7 +38,7 @@ static sparseMatrix someBlocks
     const label C
 )
 {
-    unsigned long state = 1;
+    testing::random next;
     std::vector<Eigen::Triplet<double>> entries;
 
     for (label i = 0; i < n; ++i)
@@ -60,7 +52,7 @@ static sparseMatrix someBlocks
                 {
                     entries.push_back
                     ({
-                        int(R*i + k/C), int(C*j + k % C), next(state)
+                        int(R*i + k/C), int(C*j + k % C), next()
                     });
                 }
             }
@@ -78,7 +70,7 @@ static void test(const label R, const label C)
 {
     const word name("blocks of " + Foam::name(R) + " x " + Foam::name(C));
     const sparseMatrix A(someBlocks(21, 14, R, C));
-    unsigned long state = 7;
+    testing::random next(7);
 
     singleBlocks S;
 
@@ -89,11 +81,11 @@ static void test(const label R, const label C)
     Eigen::VectorXd x(A.cols()), y(A.rows());
     for (label i = 0; i < x.size(); ++i)
     {
-        x[i] = next(state);
+        x[i] = next();
     }
     for (label i = 0; i < y.size(); ++i)
     {
-        y[i] = next(state);
+        y[i] = next();
     }
 
     Eigen::VectorXd sum(y);

@@ -21,6 +21,7 @@ License
 
 
 #include "operatorSmoother.H"
+#include "repeatableNumbers.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -45,11 +46,10 @@ void Foam::operatorSmoother::setLargest()
 
     // Power iterations from a repeatable start
     Eigen::VectorXd start(d*stiffness_.nodes().nOwn());
-    unsigned long state = 1 + Pstream::myProcNo();
+    repeatableNumbers numbers(1 + Pstream::myProcNo());
     for (label i = 0; i < start.size(); ++i)
     {
-        state = state*6364136223846793005ul + 1442695040888963407ul;
-        start[i] = double(state >> 33)/double(1ul << 31) - 0.5;
+        start[i] = numbers.next();
     }
 
     rest_.setZero();

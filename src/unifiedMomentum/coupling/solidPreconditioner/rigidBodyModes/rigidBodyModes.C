@@ -23,6 +23,7 @@ License
 #include "rigidBodyModes.H"
 #include "aggregation.H"
 #include "profiling.H"
+#include "repeatableNumbers.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -119,12 +120,18 @@ Eigen::MatrixXd Foam::rigidBodyModes::modes() const
 }
 
 
+Foam::label Foam::rigidBodyModes::maxDirect(const fluxGeometry& geometry)
+{
+    return geometry.mesh().nSolutionD() == 3 ? maxDirect3D : maxDirect2D;
+}
+
+
 bool Foam::rigidBodyModes::whole(const fluxGeometry& geometry)
 {
     const label nCells =
         returnReduce(geometry.cellsAndFaces(true).cells.size(), sumOp<label>());
-    const bool threeD = geometry.mesh().nSolutionD() == 3;
-    const label maxWhole = threeD ? maxWhole3D : maxWhole2D;
+    const label maxWhole =
+        geometry.mesh().nSolutionD() == 3 ? maxWhole3D : maxWhole2D;
 
     // On few processes larger ones: it saves the iterations that a matrix cut
     // into pieces takes
@@ -133,7 +140,7 @@ bool Foam::rigidBodyModes::whole(const fluxGeometry& geometry)
      && (
             nCells <= maxWhole
          || (
-                nCells <= (threeD ? maxDirect3D : maxDirect2D)
+                nCells <= maxDirect(geometry)
              && nCells*Pstream::nProcs() <= 6*maxWhole
             )
         );
@@ -144,9 +151,7 @@ bool Foam::rigidBodyModes::direct(const fluxGeometry& geometry)
 {
     const label nCells = geometry.cellsAndFaces(true).cells.size();
 
-    return
-        returnReduce(nCells, maxOp<label>())
-     <= (geometry.mesh().nSolutionD() == 3 ? maxDirect3D : maxDirect2D);
+    return returnReduce(nCells, maxOp<label>()) <= maxDirect(geometry);
 }
 
 
@@ -345,14 +350,13 @@ void Foam::rigidBodyModes::setError()
     const fvMesh& mesh = nodes_.geometry().mesh();
     unifiedVector r(mesh.nCells(), faces_.weight.size());
     unifiedVector x(r), Ax(r), y(r);
-    unsigned long state = 1;
+    repeatableNumbers numbers;
 
     for (const label celli : nodes_.geometry().cellsAndFaces(true).cells)
     {
         for (const direction k : nodes_.directions())
         {
-            state = state*6364136223846793005ul + 1442695040888963407ul;
-            r.U[celli][k] = scalar(state >> 33)/scalar(1ul << 31) - 0.5;
+            r.U[celli][k] = numbers.next();
         }
     }
 
@@ -426,7 +430,6 @@ void Foam::rigidBodyModes::setUp()
 
     // Links make the rows of the matrix up to four times longer. In multigrid
     // that costs more than the iterations that they save
-    const label maxDirect = d == 3 ? maxDirect3D : maxDirect2D;
     const bool allInOne = whole(nodes_.geometry());
     const bool ownDirect = direct(nodes_.geometry());
 
@@ -476,7 +479,7 @@ void Foam::rigidBodyModes::setUp()
             d,
             B,
             aggregates(d == 3 ? 4 : 3),
-            ownDirect ? B.rows() : d*maxDirect,
+            ownDirect ? B.rows() : d*maxDirect(nodes_.geometry()),
             hard()
         )
     );
