@@ -47,8 +47,8 @@ void Foam::aggregationMultigrid::smooth
         l.shortA.add(-1, x, r);
     }
 
-    Eigen::VectorXd step(l.invD*r);
-    step /= centre;
+    Eigen::VectorXd step(Eigen::VectorXd::Zero(b.size()));
+    l.shortInvD.add(1/centre, r, step);
     scalar factor = radius/centre;
 
     for (label k = 0; k < nSteps_; ++k)
@@ -60,7 +60,7 @@ void Foam::aggregationMultigrid::smooth
             l.shortA.add(-1, step, r);
             const scalar next = 1/(2*centre/radius - factor);
             step *= next*factor;
-            step.noalias() += (2*next/radius)*(l.invD*r);
+            l.shortInvD.add(2*next/radius, r, step);
             factor = next;
         }
     }
@@ -107,6 +107,7 @@ void Foam::aggregationMultigrid::update(const sparseMatrix& A)
         level& l = levels_[leveli];
 
         setSmoother(l);
+        l.shortInvD.set(l.invD, l.d, l.d);
         l.shortA.set(matrix(l), l.d, l.d);
         coarsen(l, levels_[leveli + 1]);
     }

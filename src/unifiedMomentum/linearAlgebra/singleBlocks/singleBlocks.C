@@ -29,7 +29,55 @@ template<int R, int C>
 void Foam::singleBlocks::addProduct
 (
     const double factor,
-    const double* x,
+    const float* x,
+    double* y
+) const
+{
+    // Columns of blocks by four entries at a time. What is read beyond the
+    // end of a column is left out of the result
+    constexpr int n = (R + 3)/4;
+    typedef Eigen::Map<const Eigen::Array4f> four;
+
+    const float* a = values_.data();
+
+    for (std::size_t i = 0; i + 1 < start_.size(); ++i)
+    {
+        Eigen::Array4f sum[n];
+        for (int k = 0; k < n; ++k)
+        {
+            sum[k].setZero();
+        }
+
+        for (label b = start_[i]; b < start_[i + 1]; ++b)
+        {
+            const float* xb = x + C*column_[b];
+
+            for (int k = 0; k < n; ++k)
+            {
+                // Of this block alone first: sums of blocks need not wait
+                Eigen::Array4f part(xb[0]*four(a + 4*k));
+                for (int l = 1; l < C; ++l)
+                {
+                    part += xb[l]*four(a + R*l + 4*k);
+                }
+                sum[k] += part;
+            }
+            a += R*C;
+        }
+
+        for (int k = 0; k < R; ++k)
+        {
+            y[R*i + k] += factor*sum[k/4][k % 4];
+        }
+    }
+}
+
+
+template<int R, int C>
+void Foam::singleBlocks::addTransposed
+(
+    const double factor,
+    const float* x,
     double* y
 ) const
 {
@@ -37,48 +85,20 @@ void Foam::singleBlocks::addProduct
 
     for (std::size_t i = 0; i + 1 < start_.size(); ++i)
     {
-        double sum[R] = {};
+        const float* xi = x + R*i;
 
-        for (label b = start_[i]; b < start_[i + 1]; ++b, a += R*C)
-        {
-            const double* xb = x + C*column_[b];
-
-            for (int k = 0; k < R; ++k)
-            {
-                for (int l = 0; l < C; ++l)
-                {
-                    sum[k] += a[C*k + l]*xb[l];
-                }
-            }
-        }
-
-        for (int k = 0; k < R; ++k)
-        {
-            y[R*i + k] += factor*sum[k];
-        }
-    }
-}
-
-
-template<int R, int C>
-void Foam::singleBlocks::addTransposed(const double* x, double* y) const
-{
-    const float* a = values_.data();
-
-    for (std::size_t i = 0; i + 1 < start_.size(); ++i)
-    {
-        const double* xi = x + R*i;
-
-        for (label b = start_[i]; b < start_[i + 1]; ++b, a += R*C)
+        for (label b = start_[i]; b < start_[i + 1]; ++b)
         {
             double* yb = y + C*column_[b];
 
-            for (int k = 0; k < R; ++k)
+            for (int l = 0; l < C; ++l, a += R)
             {
-                for (int l = 0; l < C; ++l)
+                float sum = 0;
+                for (int k = 0; k < R; ++k)
                 {
-                    yb[l] += a[C*k + l]*xi[k];
+                    sum += a[k]*xi[k];
                 }
+                yb[l] += factor*sum;
             }
         }
     }
@@ -90,6 +110,26 @@ void Foam::singleBlocks::take()
 {
     product_ = &singleBlocks::addProduct<R, C>;
     transposed_ = &singleBlocks::addTransposed<R, C>;
+}
+
+
+void Foam::singleBlocks::add
+(
+    const product apply,
+    const double factor,
+    const Eigen::VectorXd& x,
+    Eigen::VectorXd& y
+) const
+{
+    // Single precision has small exponents
+    const double largest = x.size() ? x.lpNorm<Eigen::Infinity>() : 0;
+
+    if (largest > 0)
+    {
+        const Eigen::VectorXf scaled((x/largest).cast<float>());
+
+        (this->*apply)(factor*largest, scaled.data(), y.data());
+    }
 }
 
 
@@ -124,7 +164,7 @@ void Foam::singleBlocks::set
     start_.assign(1, 0);
     column_.clear();
     values_.clear();
-    values_.reserve(A.nonZeros());
+    values_.reserve(A.nonZeros() + 4);
 
     for (label row = 0; row < A.rows(); ++row)
     {
@@ -142,7 +182,7 @@ void Foam::singleBlocks::set
             values_
             [
                 std::size_t(size)*place[column]
-              + nColumns*(row % nRows) + e.col() % nColumns
+              + nRows*(e.col() % nColumns) + row % nRows
             ] = e.value();
         }
 
@@ -151,6 +191,9 @@ void Foam::singleBlocks::set
             start_.push_back(column_.size());
         }
     }
+
+    // Products read a little further
+    values_.insert(values_.end(), 4, 0.0f);
 }
 
 
@@ -161,7 +204,7 @@ void Foam::singleBlocks::add
     Eigen::VectorXd& y
 ) const
 {
-    (this->*product_)(factor, x.data(), y.data());
+    add(product_, factor, x, y);
 }
 
 
@@ -171,7 +214,7 @@ void Foam::singleBlocks::addTransposed
     Eigen::VectorXd& y
 ) const
 {
-    (this->*transposed_)(x.data(), y.data());
+    add(transposed_, 1, x, y);
 }
 
 
