@@ -94,12 +94,17 @@ Foam::scalarField Foam::flexibleGMRES::dots
 void Foam::flexibleGMRES::cycle
 (
     linearSystem& system,
+    const bool haveFirst,
     unifiedVector& z,
     unifiedVector& r,
     performance& perf
 )
 {
-    const label m = min(nVectors_, maxSweeps_ - perf.nSweeps);
+    const label m = min
+    (
+        nVectors_,
+        maxSweeps_ - perf.nSweeps + (haveFirst ? 1 : 0)
+    );
 
     unifiedVector& v0 = vectorOf(v_, 0, r);
     v0 = r;
@@ -135,9 +140,17 @@ void Foam::flexibleGMRES::cycle
         unifiedVector& zj = vectorOf(z_, j, r);
         unifiedVector& w = vectorOf(v_, j + 1, r);
 
-        system.precondition(v_[j], zj);
-        system.apply(zj, w);
-        ++perf.nSweeps;
+        if (haveFirst && j == 0)
+        {
+            zj.scale(1/beta);
+            w.scale(1/beta);
+        }
+        else
+        {
+            system.precondition(v_[j], zj);
+            system.apply(zj, w);
+            ++perf.nSweeps;
+        }
 
         // Gram-Schmidt twice: once loses orthogonality
         for (label pass = 0; pass < 2; ++pass)
@@ -241,8 +254,10 @@ bool Foam::flexibleGMRES::plainSweep
     unifiedVector& r
 )
 {
+    // Where a cycle has its first ones
     unifiedVector& dz = vectorOf(z_, 0, r);
-    unifiedVector& y = vectorOf(v_, 0, r);
+    vectorOf(v_, 0, r);
+    unifiedVector& y = vectorOf(v_, 1, r);
 
     system.precondition(r, dz);
     system.apply(dz, y);
@@ -263,7 +278,7 @@ bool Foam::flexibleGMRES::plainSweep
     z.add(1, dz);
     r = rNew;
 
-    return system.converged(z, r);
+    return true;
 }
 
 
@@ -285,11 +300,18 @@ Foam::flexibleGMRES::performance Foam::flexibleGMRES::solve
     unifiedVector& r
 )
 {
-    performance perf{1, plainSweep(system, z, r), false};
+    const bool kept = plainSweep(system, z, r);
+    performance perf{1, kept && system.converged(z, r), false};
+    bool haveFirst = !kept;
 
-    while (!perf.converged && !perf.broken && perf.nSweeps < maxSweeps_)
+    while
+    (
+        !perf.converged && !perf.broken
+     && (haveFirst || perf.nSweeps < maxSweeps_)
+    )
     {
-        cycle(system, z, r, perf);
+        cycle(system, haveFirst, z, r, perf);
+        haveFirst = false;
     }
 
     return perf;

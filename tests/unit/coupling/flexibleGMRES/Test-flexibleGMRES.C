@@ -41,7 +41,7 @@ class denseSystem
 
 public:
 
-    enum preconditionerType { NONE, EXACT, CHANGING, ZERO, NAN_LATER };
+    enum preconditionerType { NONE, EXACT, LONG, CHANGING, ZERO, NAN_LATER };
 
     static const label n = 4*nCells_ + 3*nFaces_;
 
@@ -147,10 +147,11 @@ public:
         ++nPreconditioned;
         scalarField x(list(r));
 
-        if (preconditioner == EXACT)
+        if (preconditioner == EXACT || preconditioner == LONG)
         {
             scalarSquareMatrix copy(A);
             Foam::solve(copy, x);
+            x *= preconditioner == LONG ? 3 : 1;
         }
         else if (preconditioner == CHANGING)
         {
@@ -379,6 +380,10 @@ int main()
     const label n = denseSystem::n;
 
     testSolution(denseSystem::EXACT, "", 1, "exact preconditioner");
+
+    // Not kept, but not made again
+    testSolution(denseSystem::LONG, "", 1, "first sweep too long");
+    testSolution(denseSystem::LONG, "maxSweeps 1;", 1, "the only one too long");
 
     // One plain sweep, then a complete Krylov space
     const label full =
