@@ -50,8 +50,11 @@ void Foam::faceStiffness::setSide
         case material::LINKED:
         {
             // Stretching along the long side of a slender cell, and the
-            // contraction across, which bending puts in
-            const scalar along = 4*mu*(mu + lambda)/(2*mu + lambda);
+            // contraction across, which bending puts in. All of E' makes short
+            // waves of bending too fast
+            const scalar q = sqrt(1 - slender);
+            const scalar along =
+                (1 - sqr(1 - q)/6)*4*mu*(mu + lambda)/(2*mu + lambda);
             const scalar across = mu*(1 - sqr(lambda/(2*mu + lambda))/3);
 
             // On slanted faces |S|/h would be too stiff

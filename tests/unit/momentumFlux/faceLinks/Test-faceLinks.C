@@ -297,7 +297,8 @@ public:
                    *(
                         mu*magSqr(r)
                       + (
-                            (1 - sqr(q))*plate + sqr(q)*thick - mu
+                            (1 - sqr(q))*(1 - sqr(1 - q)/6)*plate
+                          + sqr(q)*thick - mu
                         )*sqr(r & dx)/magSqr(dx)
                     );
             }
