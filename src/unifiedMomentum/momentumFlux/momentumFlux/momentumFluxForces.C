@@ -119,7 +119,7 @@ void Foam::momentumFlux::evaluateFluid
 
     setFaceVelocities(z, false, homogeneous, nullptr, uFluid_);
     fluidStress_.interpolate(z.U, uFluid_);
-    fluidStress_.addInsideForces(z.U, cellForce);
+    fluidStress_.addInsideForces(z.U, uFluid_, cellForce);
 
     pressure_.interpolate(z.p, uFluid_, homogeneous);
     pressure_.addInsideForces(cellForce);
@@ -162,12 +162,12 @@ void Foam::momentumFlux::evaluateSolid
     {
         const vectorField v(z.U + offset->cells);
         solidStress_.interpolate(v, vSolid_);
-        solidStress_.addInsideForces(v, cellForce);
+        solidStress_.addInsideForces(v, vSolid_, cellForce);
     }
     else
     {
         solidStress_.interpolate(z.U, vSolid_);
-        solidStress_.addInsideForces(z.U, cellForce);
+        solidStress_.addInsideForces(z.U, vSolid_, cellForce);
     }
 
     for (const label facei : solid.ownSides)
@@ -285,14 +285,6 @@ void Foam::momentumFlux::stressField
     vectorField cellForce(z.U.size());
     vectorField R(z.Uf.size());
     forces(z, &offset, cellForce, R);
-
-    if (fluidStress_.spoilsGradients() || solidStress_.spoilsGradients())
-    {
-        // The forces took the storage of the gradients
-        const vectorField v(z.U + offset.cells);
-        fluidStress_.interpolate(z.U, uFluid_);
-        solidStress_.interpolate(v, vSolid_);
-    }
 
     for (const label celli : geometry_.cellsAndFaces(false).cells)
     {

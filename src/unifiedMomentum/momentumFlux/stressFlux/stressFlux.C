@@ -23,11 +23,11 @@ License
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::stressFlux::jumpForces(const vectorField& u)
+void Foam::stressFlux::jumpForces(const vectorField& u, const vectorField& uf)
 {
     if (finite_.active())
     {
-        finiteJumpForces(u);
+        finiteJumpForces(u, uf);
         return;
     }
 
@@ -48,7 +48,7 @@ void Foam::stressFlux::jumpForces(const vectorField& u)
     const auto ownSide = [&](const label facei)
     {
         const label c = own[facei];
-        const vector r(uf_[facei] - u[c] - (dOwn[facei] & grad_[c]));
+        const vector r(uf[facei] - u[c] - (dOwn[facei] & grad_[c]));
 
         ownJump_[facei] = stiffness_.own(facei, r);
         stress_[c] += dOwn[facei]*ownJump_[facei];
@@ -57,7 +57,7 @@ void Foam::stressFlux::jumpForces(const vectorField& u)
     const auto neiSide = [&](const label facei)
     {
         const label c = nei[facei];
-        const vector r(uf_[facei] - u[c] - (dNei[facei] & grad_[c]));
+        const vector r(uf[facei] - u[c] - (dNei[facei] & grad_[c]));
 
         neiJump_[facei] = stiffness_.nei(facei, r);
         stress_[c] += dNei[facei]*neiJump_[facei];
@@ -198,13 +198,13 @@ Foam::stressFlux::stressFlux(const fluxGeometry& geometry, const bool solid)
       : nullptr
     ),
     gradient_(geometry, solid, &links_, finiteLinks_.get()),
-    uf_(geometry.mesh().nFaces(), Zero),
     grad_(geometry.mesh().nCells(), Zero),
     stress_(grad_),
-    ownJump_(uf_),
-    neiJump_(uf_),
-    ownForce_(uf_),
-    neiForce_(uf_)
+    adjoint_(gradient_.twoStages() ? grad_.size() : 0, Zero),
+    ownJump_(geometry.mesh().nFaces(), Zero),
+    neiJump_(ownJump_),
+    ownForce_(ownJump_),
+    neiForce_(ownJump_)
 {
     setFactor(1);
 }
@@ -238,17 +238,17 @@ void Foam::stressFlux::interpolate(const vectorField& u, vectorField& uf)
 {
     gradient_.faceValues(u, uf);
     gradient_.cellGradients(uf, grad_);
-    uf_ = uf;
 }
 
 
 void Foam::stressFlux::addInsideForces
 (
     const vectorField& u,
+    const vectorField& uf,
     vectorField& cellForce
 )
 {
-    jumpForces(u);
+    jumpForces(u, uf);
 
     if (gradient_.twoStages())
     {
@@ -270,7 +270,7 @@ Foam::scalar Foam::stressFlux::energy(const vectorField& u, vectorField& uf)
         finite_.setScale(1);
         finite_.setTangent(false);
         interpolate(u, uf);
-        jumpForces(u);
+        jumpForces(u, uf);
         finite_.setScale(factor);
 
         return 0.5*(twiceFiniteEnergy() + twiceTwistEnergy());
@@ -281,7 +281,7 @@ Foam::scalar Foam::stressFlux::energy(const vectorField& u, vectorField& uf)
     const labelUList& own = geometry_.mesh().faceOwner();
     const labelUList& nei = geometry_.mesh().faceNeighbour();
 
-    jumpForces(u);
+    jumpForces(u, uf);
 
     // V sigma : G + sum r.A.r, with sum r.A.r written by u_f - u and T
     scalar twice = 0;
@@ -299,14 +299,14 @@ Foam::scalar Foam::stressFlux::energy(const vectorField& u, vectorField& uf)
     {
         for (const label facei : faces)
         {
-            twice += (uf_[facei] - u[own[facei]]) & ownJump_[facei];
+            twice += (uf[facei] - u[own[facei]]) & ownJump_[facei];
         }
     }
     for (const labelList& faces : {zone_.internal, zone_.neiSides})
     {
         for (const label facei : faces)
         {
-            twice += (uf_[facei] - u[nei[facei]]) & neiJump_[facei];
+            twice += (uf[facei] - u[nei[facei]]) & neiJump_[facei];
         }
     }
 

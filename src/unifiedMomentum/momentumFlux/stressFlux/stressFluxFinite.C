@@ -23,7 +23,11 @@ License
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::stressFlux::finiteJumpForces(const vectorField& u)
+void Foam::stressFlux::finiteJumpForces
+(
+    const vectorField& u,
+    const vectorField& uf
+)
 {
     const fvMesh& mesh = geometry_.mesh();
     const scalarField& V = geometry_.V();
@@ -42,7 +46,7 @@ void Foam::stressFlux::finiteJumpForces(const vectorField& u)
             owner ? mesh.faceOwner()[facei] : mesh.faceNeighbour()[facei];
         const vector& dx =
             owner ? geometry_.dOwn()[facei] : geometry_.dNei()[facei];
-        const vector r(uf_[facei] - u[c] - (dx & grad_[c]));
+        const vector r(uf[facei] - u[c] - (dx & grad_[c]));
 
         const finiteStrain::sideStiffness A
         {

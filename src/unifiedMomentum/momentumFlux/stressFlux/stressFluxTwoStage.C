@@ -103,8 +103,7 @@ void Foam::stressFlux::setAdjoint()
     const bool skewed = geometry_.skewed(solid_);
     const bool linked = links_.active();
 
-    // The gradients are no longer needed: their storage takes Q
-    tensorField& Q = grad_;
+    tensorField& Q = adjoint_;
 
     for (const label celli : zone_.cells)
     {
@@ -220,7 +219,7 @@ void Foam::stressFlux::addTwoStageForces(vectorField& cellForce)
     setSideForces();
     setAdjoint();
 
-    const tensorField& Z = grad_;
+    const tensorField& Z = adjoint_;
 
     for (const label facei : zone_.internal)
     {
