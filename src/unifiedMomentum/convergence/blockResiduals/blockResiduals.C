@@ -31,63 +31,110 @@ const Foam::wordList Foam::blockResiduals::names
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::blockResiduals::blockValues Foam::blockResiduals::norms
+Foam::blockResiduals::squares Foam::blockResiduals::squaresOf
 (
-    const unifiedVector& v,
-    const bool residual,
+    const unifiedVector& z0,
+    const unifiedVector& z,
+    const unifiedVector& r,
     const scalar roundOff
 ) const
 {
     const Vector<label>& solved = geometry_.mesh().solutionD();
+    const blockValues none(nBlocks, 0.0);
+    squares all{none, none, none};
 
-    // Without a diagonal (slip of an inviscid fluid) nothing may be left over
-    const auto weighted = [&](const scalar value, const scalar diag)
+    struct sums
     {
-        return
-            diag > VSMALL ? (residual ? sqr(value)/diag : sqr(value)*diag)
-          : residual && mag(value) > roundOff ? GREAT
-          : 0;
+        scalar residual;
+        scalar change;
+        scalar size;
     };
 
-    blockValues sum(nBlocks, 0.0);
-
-    for (const bool solid : {false, true})
+    // Without a diagonal (slip of an inviscid fluid) nothing may be left over
+    const auto addScalar = [&]
+    (
+        sums& s,
+        const scalar weight,
+        const scalar diag,
+        const scalar z0i,
+        const scalar zi,
+        const scalar ri
+    )
     {
-        scalar& s = sum[solid ? SOLID : FLUID];
-
-        for (const label celli : geometry_.cellsAndFaces(solid).cells)
+        if (diag > VSMALL)
         {
-            for (direction k = 0; k < vector::nComponents; ++k)
-            {
-                if (solved[k] > 0)
-                {
-                    s += weighted(v.U[celli][k], sweep_.diag()[celli][k]);
-                }
-            }
+            s.residual += weight*sqr(ri)/diag;
+            s.change += weight*diag*sqr(zi - z0i);
+            s.size += weight*diag*sqr(zi);
         }
-    }
+        else if (mag(ri) > roundOff)
+        {
+            s.residual += weight*GREAT;
+        }
+    };
 
-    for (const label celli : geometry_.cellsAndFaces(false).cells)
+    const auto addVector = [&]
+    (
+        sums& s,
+        const scalar weight,
+        const vector& diag,
+        const vector& z0i,
+        const vector& zi,
+        const vector& ri
+    )
     {
-        sum[CONTINUITY] +=
-            weighted(v.p[celli], sweep_.pressureDiag(celli));
-    }
-
-    forAll(v.Uf, i)
-    {
-        const vector a(sweep_.faceDiag(i));
-        scalar& s = sum[faceBlock(i)];
-
         for (direction k = 0; k < vector::nComponents; ++k)
         {
             if (solved[k] > 0)
             {
-                s += geometry_.unknownWeight()[i]*weighted(v.Uf[i][k], a[k]);
+                addScalar(s, weight, diag[k], z0i[k], zi[k], ri[k]);
             }
         }
+    };
+
+    const auto keep = [&](const label block, const sums& s)
+    {
+        all.residual[block] += s.residual;
+        all.change[block] += s.change;
+        all.size[block] += s.size;
+    };
+
+    for (const bool solid : {false, true})
+    {
+        sums s{0, 0, 0};
+        for (const label i : geometry_.cellsAndFaces(solid).cells)
+        {
+            addVector(s, 1, sweep_.diag()[i], z0.U[i], z.U[i], r.U[i]);
+        }
+        keep(solid ? SOLID : FLUID, s);
     }
 
-    return sum;
+    sums continuity{0, 0, 0};
+    for (const label i : geometry_.cellsAndFaces(false).cells)
+    {
+        addScalar
+        (
+            continuity, 1, sweep_.pressureDiag(i), z0.p[i], z.p[i], r.p[i]
+        );
+    }
+    keep(CONTINUITY, continuity);
+
+    forAll(z.Uf, i)
+    {
+        sums s{0, 0, 0};
+        addVector
+        (
+            s,
+            geometry_.unknownWeight()[i],
+            sweep_.faceDiag(i),
+            z0.Uf[i],
+            z.Uf[i],
+            r.Uf[i]
+        );
+        keep(faceBlock(i), s);
+    }
+
+    return all;
 }
 
 
@@ -113,9 +160,6 @@ void Foam::blockResiduals::compute
     blockValues& scale
 ) const
 {
-    unifiedVector dz(z);
-    dz.add(-1, z0);
-
     // Pressures that cancel on a face leave their round-off
     scalar largest = 0;
     for (const label celli : geometry_.cellsAndFaces(false).cells)
@@ -123,13 +167,8 @@ void Foam::blockResiduals::compute
         largest = max(largest, mag(z.p[celli])*faceArea_[celli]);
     }
 
-    const blockValues parts[] =
-    {
-        norms(r, true, 1e-12*largest),
-        norms(dz, false),
-        norms(z, false),
-        elastic_
-    };
+    const squares s(squaresOf(z0, z, r, 1e-12*largest));
+    const blockValues parts[] = {s.residual, s.change, s.size, elastic_};
 
     // One reduction for all sums
     scalarField all(4*nBlocks + 1);
@@ -236,7 +275,7 @@ void Foam::blockResiduals::setElastic
     {
         d.Uf[i] = star.faces[geometry_.unknownFaces()[i]];
     }
-    elastic_ = norms(d, false);
+    elastic_ = squaresOf(d, d, d, 0).size;
 }
 
 
