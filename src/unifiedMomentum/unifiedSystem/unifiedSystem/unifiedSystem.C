@@ -167,7 +167,6 @@ void Foam::unifiedSystem::freeze()
     }
 
     system_.update(fields_.phi());
-    system_.updateResidual();
 }
 
 
@@ -191,10 +190,7 @@ void Foam::unifiedSystem::extrapolate()
     fields_.fromUnknowns(flux_.geometry(), system_.z());
     patches_.correct();
     freeze();
-
-    // An extrapolation over a sudden change would start further off
-    system_.takeIfBetter(z);
-    system_.takeRestIfBetter();
+    system_.startFrom(z);
 }
 
 
@@ -324,6 +320,7 @@ void Foam::unifiedSystem::predict()
         }
         startPatches();
         freeze();
+        system_.updateResidual();
     }
 
     scheme_.setHaveOldOld(true);
@@ -343,6 +340,7 @@ bool Foam::unifiedSystem::picard()
         takeUnknowns();
         flux_.updateBoundary(fields_.U(), fields_.p());
         freeze();
+        system_.updateResidual();
 
         if (system_.passes())
         {
