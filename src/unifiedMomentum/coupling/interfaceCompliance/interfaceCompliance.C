@@ -220,7 +220,7 @@ void Foam::interfaceCompliance::update
 
         const scalar local = faceCompliance_[walli] + S/(aS & nn);
 
-        C_[walli] = sqrt(local*max(rowSum_[walli], 0));
+        C_[walli] = pow(local, 0.2)*pow(max(rowSum_[walli], 0), 0.8);
     }
 }
 
