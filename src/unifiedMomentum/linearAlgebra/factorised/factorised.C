@@ -30,20 +30,9 @@ namespace Foam
 {
 
 //- Symmetric: its rows are its columns
-static Eigen::Map<const Eigen::SparseMatrix<double>> byColumns
-(
-    const sparseMatrix& A
-)
+static Eigen::SparseMatrix<double> byColumns(const blockMatrix& A)
 {
-    return Eigen::Map<const Eigen::SparseMatrix<double>>
-    (
-        A.rows(),
-        A.cols(),
-        A.nonZeros(),
-        A.outerIndexPtr(),
-        A.innerIndexPtr(),
-        A.valuePtr()
-    );
+    return A.sparse().transpose();
 }
 
 
@@ -261,7 +250,7 @@ void Foam::factorised::substitute
 }
 
 
-bool Foam::factorised::tryShort(const sparseMatrix& A, const solver& LDL)
+bool Foam::factorised::tryShort(const blockMatrix& A, const solver& LDL)
 {
     if (nValues_ < minShort)
     {
@@ -283,11 +272,13 @@ bool Foam::factorised::tryShort(const sparseMatrix& A, const solver& LDL)
         x /= x.norm();
     }
 
-    const Eigen::VectorXd Ax(A*x);
+    Eigen::VectorXd Ax(Eigen::VectorXd::Zero(x.size()));
+    A.add(1, x, Ax);
     setValues(LDL.matrixL().nestedExpression(), singles_);
 
     const Eigen::VectorXd difference(solve(Ax) - x);
-    const Eigen::VectorXd residual(A*difference);
+    Eigen::VectorXd residual(Eigen::VectorXd::Zero(x.size()));
+    A.add(1, difference, residual);
     error_ = std::sqrt(std::abs(difference.dot(residual)/x.dot(Ax)));
 
     return error_ < roundOff;
@@ -306,7 +297,7 @@ Foam::factorised::factorised()
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::scalar Foam::factorised::operations(const sparseMatrix& A)
+Foam::scalar Foam::factorised::operations(const blockMatrix& A)
 {
     const Eigen::SparseMatrix<double> columns(byColumns(A));
     analysis a;
@@ -316,7 +307,7 @@ Foam::scalar Foam::factorised::operations(const sparseMatrix& A)
 }
 
 
-void Foam::factorised::set(const sparseMatrix& A)
+void Foam::factorised::set(const blockMatrix& A)
 {
     if (A.rows() == 0)
     {
@@ -325,15 +316,14 @@ void Foam::factorised::set(const sparseMatrix& A)
 
     columnMatrix columns;
     {
-        const auto given(byColumns(A));
+        const columnMatrix given(byColumns(A));
 
         if (order_.size() == 0)
         {
-            const columnMatrix copy(given);
             Eigen::PermutationMatrix<Eigen::Dynamic> inverse;
             Eigen::AMDOrdering<int>()
             (
-                copy.selfadjointView<Eigen::Lower>(),
+                given.selfadjointView<Eigen::Lower>(),
                 inverse
             );
             order_ = inverse.transpose();

@@ -31,7 +31,7 @@ using namespace Foam::testing;
 
 //- Membrane of n x n nodes on springs (order 1), or a plate, its square
 //  (order 2), for which round-off is far worse
-static sparseMatrix membrane(const label n, const label order)
+static blockMatrix membrane(const label n, const label order)
 {
     std::vector<Eigen::Triplet<double>> entries;
 
@@ -61,15 +61,15 @@ static sparseMatrix membrane(const label n, const label order)
 
     // SI units of a metal over those of a velocity
     result *= 1e11;
-    result.makeCompressed();
 
-    return result;
+    return blockMatrix(result, 1, 1);
 }
 
 
 //- Error of the energy norm, for a smooth solution; values of any size
-static scalar errorOf(const factorised& f, const sparseMatrix& A)
+static scalar errorOf(const factorised& f, const blockMatrix& blocks)
 {
+    const sparseMatrix A(blocks.sparse());
     Eigen::VectorXd x(A.rows());
     for (label i = 0; i < x.size(); ++i)
     {
@@ -88,8 +88,8 @@ static scalar errorOf(const factorised& f, const sparseMatrix& A)
 
 int main()
 {
-    const sparseMatrix easy(membrane(40, 1));
-    const sparseMatrix hard(membrane(40, 4));
+    const blockMatrix easy(membrane(40, 1));
+    const blockMatrix hard(membrane(40, 4));
 
     {
         factorised f;
@@ -97,7 +97,8 @@ int main()
         checkSmall(errorOf(f, easy), 1e-10, "double precision");
         check(f.error() <= 1e-9, "double precision is known");
 
-        const sparseMatrix twice(2*easy);
+        const sparseMatrix doubled(2*easy.sparse());
+        const blockMatrix twice(doubled, 1, 1);
         f.set(twice);
         checkSmall(errorOf(f, twice), 1e-10, "other values");
     }
@@ -121,12 +122,12 @@ int main()
     }
 
     {
-        sparseMatrix diagonal(50, 50);
+        sparseMatrix entries(50, 50);
         for (label i = 0; i < 50; ++i)
         {
-            diagonal.insert(i, i) = 2;
+            entries.insert(i, i) = 2;
         }
-        diagonal.makeCompressed();
+        const blockMatrix diagonal(entries, 1, 1);
 
         checkSmall
         (
@@ -142,7 +143,7 @@ int main()
     }
 
     factorised none;
-    none.set(sparseMatrix(0, 0));
+    none.set(blockMatrix());
     check(none.solve(Eigen::VectorXd(0)).size() == 0, "no solid");
 
     return close();

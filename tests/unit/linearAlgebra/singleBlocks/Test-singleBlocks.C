@@ -75,8 +75,9 @@ static void test(const label R, const label C)
     singleBlocks S;
 
     // Twice: the second time replaces the first
-    S.set(2*A, R, C);
-    S.set(A, R, C);
+    const sparseMatrix A2(2*A);
+    S.set(blockMatrix(A2, R, C));
+    S.set(blockMatrix(A, R, C));
 
     Eigen::VectorXd x(A.cols()), y(A.rows());
     for (label i = 0; i < x.size(); ++i)

@@ -28,14 +28,19 @@ License
 void Foam::operatorSmoother::setDiagonal()
 {
     const label d = stiffness_.nodes().blockSize();
-    const sparseMatrix& A = stiffness_.local();
+    const blockMatrix& A = stiffness_.local();
 
     invD_.resize(stiffness_.nodes().nOwn());
 
     for (std::size_t nodei = 0; nodei < invD_.size(); ++nodei)
     {
-        const Eigen::MatrixXd D(A.block(d*nodei, d*nodei, d, d));
-        invD_[nodei] = D.inverse();
+        const Eigen::Map<const Eigen::MatrixXd> transposed
+        (
+            A.block(A.place(nodei, nodei)),
+            d,
+            d
+        );
+        invD_[nodei] = transposed.transpose().inverse();
     }
 }
 
