@@ -19,6 +19,7 @@ License
 
 \*---------------------------------------------------------------------------*/
 
+
 #include "galerkinProduct.H"
 #include "columnSet.H"
 #include "error.H"

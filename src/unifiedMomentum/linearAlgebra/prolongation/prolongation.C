@@ -19,6 +19,7 @@ License
 
 \*---------------------------------------------------------------------------*/
 
+
 #include "prolongation.H"
 #include "columnSet.H"
 #include "scalar.H"

@@ -181,7 +181,12 @@ void Foam::stressFlux::addForces(vectorField& cellForce)
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::stressFlux::stressFlux(const fluxGeometry& geometry, const bool solid)
+Foam::stressFlux::stressFlux
+(
+    const fluxGeometry& geometry,
+    const bool solid,
+    const bool withForces
+)
 :
     geometry_(geometry),
     solid_(solid),
@@ -198,8 +203,8 @@ Foam::stressFlux::stressFlux(const fluxGeometry& geometry, const bool solid)
       : nullptr
     ),
     gradient_(geometry, solid, &links_, finiteLinks_.get()),
-    uf_(geometry.mesh().nFaces(), Zero),
-    grad_(geometry.mesh().nCells(), Zero),
+    uf_(withForces ? geometry.mesh().nFaces() : 0, Zero),
+    grad_(withForces ? geometry.mesh().nCells() : 0, Zero),
     stress_(grad_),
     ownJump_(uf_),
     neiJump_(uf_),

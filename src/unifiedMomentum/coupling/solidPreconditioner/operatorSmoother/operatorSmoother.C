@@ -123,11 +123,7 @@ Foam::operatorSmoother::operatorSmoother
     op_(op),
     faces_(faces),
     stiffness_(stiffness),
-    rho_(0),
-    rest_(op.geometry().mesh().nCells(), faces.weight.size()),
-    Ax_(rest_),
-    step_(rest_),
-    change_(rest_)
+    rho_(0)
 {}
 
 
@@ -137,6 +133,13 @@ void Foam::operatorSmoother::update()
 {
     if (op_.geometry().skewed(true))
     {
+        rest_ = unifiedVector
+        (
+            op_.geometry().mesh().nCells(),
+            faces_.weight.size()
+        );
+        Ax_ = step_ = change_ = rest_;
+
         setDiagonal();
         setLargest();
     }

@@ -432,7 +432,7 @@ void Foam::rigidBodyModes::setUp()
     {
         // Not that of the operator: the same at any time step, to the last
         // digit, so that a restart goes on bitwise
-        const stressFlux stress(op_.geometry(), true);
+        const stressFlux stress(op_.geometry(), true, false);
 
         stiffness_.reset
         (
