@@ -57,7 +57,7 @@ void Foam::solidStiffness::setPattern(cellStiffness& cell)
     for (const label celli : nodes_.geometry().cellsAndFaces(true).cells)
     {
         nodes.clear();
-        for (const cellStiffness::velocity& v : cell.set(celli))
+        for (const cellStiffness::velocity& v : cell.set(celli, false))
         {
             if (v.node >= 0)
             {
