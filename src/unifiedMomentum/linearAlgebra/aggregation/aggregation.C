@@ -296,6 +296,7 @@ Foam::labelList Foam::aggregation::greedy
             )
             {
                 neighbours[i].push_back(j);
+                neighbours[j].push_back(i);
             }
         }
     }

@@ -106,13 +106,19 @@ void Foam::aggregationMultigrid::update(const blockMatrix& A)
     {
         level& l = levels_[leveli];
 
-        setSmoother(l);
+        l.shortA.clear();
         coarsen(l, levels_[leveli + 1]);
-        l.A.freeValues();
     }
 
     coarsest_.set(matrix(levels_.back()));
     levels_.back().A.freeValues();
+
+    // From coarse to fine: few copies at a time
+    for (label leveli = nLevels() - 2; leveli >= 0; --leveli)
+    {
+        setSmoother(levels_[leveli]);
+        levels_[leveli].A.freeValues();
+    }
 }
 
 

@@ -163,6 +163,7 @@ Foam::aggregationMultigrid::aggregationMultigrid
         l.P =
             prolongation::smoothed(A, l.invD, 4.0/(3*l.rho), B, groups, n);
         B = coarse;
+        l.shortA.clear();
 
         level next;
         coarsen(l, next);

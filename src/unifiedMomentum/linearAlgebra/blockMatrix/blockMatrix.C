@@ -27,23 +27,21 @@ License
 
 namespace Foam
 {
-    static blockPattern patternOf
-    (
-        const sparseMatrix& A,
-        const label blockRows,
-        const label blockCols
-    )
+    static blockPattern upperPattern(const sparseMatrix& A, const label d)
     {
         std::vector<label> start(1, 0);
         std::vector<label> columns;
 
-        for (label i = 0; i < A.rows()/blockRows; ++i)
+        for (label i = 0; i < A.rows()/d; ++i)
         {
-            for (label k = 0; k < blockRows; ++k)
+            for (label k = 0; k < d; ++k)
             {
-                for (sparseMatrix::InnerIterator e(A, blockRows*i + k); e; ++e)
+                for (sparseMatrix::InnerIterator e(A, d*i + k); e; ++e)
                 {
-                    columns.push_back(e.col()/blockCols);
+                    if (e.col()/d >= i)
+                    {
+                        columns.push_back(e.col()/d);
+                    }
                 }
             }
 
@@ -53,14 +51,7 @@ namespace Foam
             start.push_back(columns.size());
         }
 
-        return blockPattern
-        (
-            blockRows,
-            blockCols,
-            A.cols()/blockCols,
-            start,
-            columns
-        );
+        return blockPattern(d, d, A.cols()/d, start, columns);
     }
 }
 
@@ -79,17 +70,32 @@ void Foam::blockMatrix::addProduct
 
     for (label i = 0; i < nRows(); ++i)
     {
+        const double* xi = x + d*i;
         double sum[d] = {};
 
         for (label b = start(i); b < start(i + 1); ++b, a += d*d)
         {
-            const double* xb = x + d*column(b);
+            const double* xj = x + d*column(b);
+            double* yj = y + d*column(b);
 
             for (int k = 0; k < d; ++k)
             {
                 for (int l = 0; l < d; ++l)
                 {
-                    sum[k] += a[d*k + l]*xb[l];
+                    sum[k] += a[d*k + l]*xj[l];
+                }
+            }
+
+            if (column(b) > i)
+            {
+                for (int l = 0; l < d; ++l)
+                {
+                    double other = 0;
+                    for (int k = 0; k < d; ++k)
+                    {
+                        other += a[d*k + l]*xi[k];
+                    }
+                    yj[l] += factor*other;
                 }
             }
         }
@@ -111,29 +117,54 @@ Foam::blockMatrix::blockMatrix(const blockPattern& pattern)
 {}
 
 
-Foam::blockMatrix::blockMatrix
-(
-    const sparseMatrix& A,
-    const label blockRows,
-    const label blockCols
-)
+Foam::blockMatrix::blockMatrix(const sparseMatrix& A, const label d)
 :
-    blockMatrix(patternOf(A, blockRows, blockCols))
+    blockMatrix(upperPattern(A, d))
 {
     for (label row = 0; row < A.rows(); ++row)
     {
         for (sparseMatrix::InnerIterator e(A, row); e; ++e)
         {
-            double* values = block(place(row/blockRows, e.col()/blockCols));
+            const label i = row/d;
+            const label j = e.col()/d;
 
-            values[blockCols*(row % blockRows) + e.col() % blockCols] =
-                e.value();
+            if (j >= i)
+            {
+                block(place(i, j))[d*(row % d) + e.col() % d] = e.value();
+            }
         }
     }
 }
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::blockMatrix::copyBlock
+(
+    const label i,
+    const label j,
+    double* values
+) const
+{
+    const label d = blockRows();
+
+    if (i <= j)
+    {
+        const double* from = block(place(i, j));
+        std::copy(from, from + d*d, values);
+        return;
+    }
+
+    const double* from = block(place(j, i));
+    for (label k = 0; k < d; ++k)
+    {
+        for (label l = 0; l < d; ++l)
+        {
+            values[d*l + k] = from[d*k + l];
+        }
+    }
+}
+
 
 void Foam::blockMatrix::setZero()
 {
@@ -154,16 +185,16 @@ void Foam::blockMatrix::add
     Eigen::VectorXd& y
 ) const
 {
-    switch (10*blockRows() + blockCols())
+    switch (blockRows())
     {
-        case 11: addProduct<1>(factor, x.data(), y.data()); break;
-        case 22: addProduct<2>(factor, x.data(), y.data()); break;
-        case 33: addProduct<3>(factor, x.data(), y.data()); break;
-        case 66: addProduct<6>(factor, x.data(), y.data()); break;
+        case 1: addProduct<1>(factor, x.data(), y.data()); break;
+        case 2: addProduct<2>(factor, x.data(), y.data()); break;
+        case 3: addProduct<3>(factor, x.data(), y.data()); break;
+        case 6: addProduct<6>(factor, x.data(), y.data()); break;
         default:
             FatalErrorInFunction
-                << "No product for blocks of " << blockRows() << " x "
-                << blockCols() << exit(FatalError);
+                << "No product for blocks of " << blockRows()
+                << exit(FatalError);
     }
 }
 

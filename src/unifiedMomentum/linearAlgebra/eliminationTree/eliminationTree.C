@@ -31,7 +31,7 @@ void Foam::eliminationTree::set(const columnMatrix& A)
 
     columnMatrix upper(n, n);
     upper.selfadjointView<Eigen::Upper>() =
-        A.selfadjointView<Eigen::Upper>().twistedBy(order_);
+        A.selfadjointView<Eigen::Lower>().twistedBy(order_);
 
     parent_.assign(n, -1);
     size_.assign(n, 0);

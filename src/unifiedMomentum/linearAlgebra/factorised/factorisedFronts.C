@@ -28,8 +28,8 @@ License
 namespace Foam
 {
 
-//- Symmetric: its rows are its columns
-static Eigen::SparseMatrix<double> byColumns(const blockMatrix& A)
+//- The lower half, whose columns are the rows of the upper one
+static Eigen::SparseMatrix<double> lowerHalf(const blockMatrix& A)
 {
     return A.sparse().transpose();
 }
@@ -308,7 +308,7 @@ void Foam::factorised::factorise
 
 Foam::scalar Foam::factorised::operations(const blockMatrix& A)
 {
-    return eliminationTree(byColumns(A)).operations();
+    return eliminationTree(lowerHalf(A)).operations();
 }
 
 
@@ -325,7 +325,7 @@ void Foam::factorised::set(const blockMatrix& A)
     const bool first = panels_.empty();
     columnMatrix lower(A.rows(), A.cols());
     {
-        const columnMatrix columns(byColumns(A));
+        const columnMatrix columns(lowerHalf(A));
 
         if (first)
         {

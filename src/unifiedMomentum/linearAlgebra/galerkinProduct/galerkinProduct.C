@@ -32,12 +32,12 @@ namespace Foam
     //- C with its pattern and zeros
     static blockMatrix emptyProduct
     (
-        const blockPattern& A,
+        const blockPattern& wholeA,
         const blockPattern& P
     )
     {
         const blockPattern rows(P.transposed());
-        columnSet ofA(A.nCols());
+        columnSet ofA(wholeA.nCols());
         columnSet ofC(P.nCols());
         std::vector<label> start(1, 0);
         std::vector<label> columns;
@@ -47,13 +47,13 @@ namespace Foam
             ofA.clear();
             for (label r = rows.start(I); r < rows.start(I + 1); ++r)
             {
-                ofA.addRow(A, rows.column(r));
+                ofA.addRow(wholeA, rows.column(r));
             }
 
             ofC.clear();
             for (const label j : ofA.columns())
             {
-                ofC.addRow(P, j);
+                ofC.addRow(P, j, I);
             }
 
             ofC.sort();
@@ -75,11 +75,12 @@ namespace Foam
     }
 
 
-    //- Add to the upper half of C; sizes of blocks are known when compiled
+    //- Add to C; sizes of blocks are known when compiled
     template<int d, int dc>
-    static void addUpper
+    static void addProduct
     (
         const blockMatrix& A,
+        const blockPattern& wholeA,
         const singleBlocks& P,
         blockMatrix& C
     )
@@ -99,21 +100,22 @@ namespace Foam
                 continue;
             }
 
-            // Row of A P, without the columns that only lower halves need
+            // Row of A P, without the columns that only the lower half needs
             const label first = P.column(P.start(i));
 
             columns.clear();
-            for (label b = A.start(i); b < A.start(i + 1); ++b)
+            for (label b = wholeA.start(i); b < wholeA.start(i + 1); ++b)
             {
-                columns.addRow(P, A.column(b), first);
+                columns.addRow(P, wholeA.column(b), first);
             }
             columns.sort();
             AP.assign(columns.columns().size()*d*dc, 0);
 
-            for (label b = A.start(i); b < A.start(i + 1); ++b)
+            for (label b = wholeA.start(i); b < wholeA.start(i + 1); ++b)
             {
-                const label j = A.column(b);
-                const blockA a(Eigen::Map<const blockA>(A.block(b)));
+                const label j = wholeA.column(b);
+                blockA a;
+                A.copyBlock(i, j, a.data());
 
                 for (label q = P.start(j); q < P.start(j + 1); ++q)
                 {
@@ -167,37 +169,6 @@ namespace Foam
             }
         }
     }
-
-
-    //- Copy the upper half of a symmetric matrix to the lower one
-    static void copyUpper(blockMatrix& C)
-    {
-        const label d = C.blockRows();
-
-        // Rows are filled from the left as the columns are passed
-        std::vector<label> next(C.nRows());
-        for (label I = 0; I < C.nRows(); ++I)
-        {
-            next[I] = C.start(I);
-        }
-
-        for (label I = 0; I < C.nRows(); ++I)
-        {
-            for (label place = next[I]; place < C.start(I + 1); ++place)
-            {
-                const double* from = C.block(place);
-                double* to = C.block(next[C.column(place)]++);
-
-                for (label k = 0; k < d; ++k)
-                {
-                    for (label l = 0; l < d; ++l)
-                    {
-                        to[d*l + k] = from[d*k + l];
-                    }
-                }
-            }
-        }
-    }
 }
 
 
@@ -210,9 +181,11 @@ void Foam::galerkinProduct
     blockMatrix& C
 )
 {
+    const blockPattern wholeA(A.bothHalves());
+
     if (C.nRows() == 0)
     {
-        C = emptyProduct(A, P);
+        C = emptyProduct(wholeA, P);
     }
     else
     {
@@ -223,19 +196,17 @@ void Foam::galerkinProduct
     // to all rigid-body modes
     switch (10*P.blockRows() + P.blockCols())
     {
-        case 11: addUpper<1, 1>(A, P, C); break;
-        case 22: addUpper<2, 2>(A, P, C); break;
-        case 23: addUpper<2, 3>(A, P, C); break;
-        case 33: addUpper<3, 3>(A, P, C); break;
-        case 36: addUpper<3, 6>(A, P, C); break;
-        case 66: addUpper<6, 6>(A, P, C); break;
+        case 11: addProduct<1, 1>(A, wholeA, P, C); break;
+        case 22: addProduct<2, 2>(A, wholeA, P, C); break;
+        case 23: addProduct<2, 3>(A, wholeA, P, C); break;
+        case 33: addProduct<3, 3>(A, wholeA, P, C); break;
+        case 36: addProduct<3, 6>(A, wholeA, P, C); break;
+        case 66: addProduct<6, 6>(A, wholeA, P, C); break;
         default:
             FatalErrorInFunction
                 << "No product for blocks of " << P.blockRows() << " x "
                 << P.blockCols() << exit(FatalError);
     }
-
-    copyUpper(C);
 }
 
 

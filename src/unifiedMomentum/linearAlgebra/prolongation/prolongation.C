@@ -84,10 +84,9 @@ Foam::singleBlocks Foam::prolongation::smoothed
     const label nAggregates
 )
 {
-    typedef Eigen::Map<const rowMatrix> block;
-
     const label d = A.blockRows();
     const label nModes = modes.cols();
+    const blockPattern whole(A.bothHalves());
     columnSet columns(nAggregates);
 
     std::vector<label> start(1, 0);
@@ -95,9 +94,9 @@ Foam::singleBlocks Foam::prolongation::smoothed
     for (label i = 0; i < A.nRows(); ++i)
     {
         columns.clear();
-        for (label b = A.start(i); b < A.start(i + 1); ++b)
+        for (label b = whole.start(i); b < whole.start(i + 1); ++b)
         {
-            columns.add(aggregates[A.column(b)]);
+            columns.add(aggregates[whole.column(b)]);
         }
         columns.sort();
         allColumns.insert
@@ -113,6 +112,7 @@ Foam::singleBlocks Foam::prolongation::smoothed
     (
         blockPattern(d, nModes, nAggregates, start, allColumns)
     );
+    rowMatrix block(d, d);
     rowMatrix AT, DAT;
 
     for (label i = 0; i < A.nRows(); ++i)
@@ -120,13 +120,14 @@ Foam::singleBlocks Foam::prolongation::smoothed
         const label nBlocks = P.start(i + 1) - P.start(i);
         AT.setZero(d, nModes*nBlocks);
 
-        for (label b = A.start(i); b < A.start(i + 1); ++b)
+        for (label b = whole.start(i); b < whole.start(i + 1); ++b)
         {
-            const label j = A.column(b);
+            const label j = whole.column(b);
             const label place = P.place(i, aggregates[j]) - P.start(i);
 
+            A.copyBlock(i, j, block.data());
             AT.middleCols(nModes*place, nModes) +=
-                block(A.block(b), d, d).lazyProduct(modes.middleRows(d*j, d));
+                block.lazyProduct(modes.middleRows(d*j, d));
         }
 
         const Eigen::Map<const Eigen::MatrixXf> D(invD.block(i), d, d);

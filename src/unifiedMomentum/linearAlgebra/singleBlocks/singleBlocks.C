@@ -175,22 +175,45 @@ Foam::singleBlocks::singleBlocks(const blockPattern& pattern)
 
 void Foam::singleBlocks::set(const blockMatrix& A)
 {
-    blockPattern::operator=(A);
-    take();
-    values_.resize(nEntries() + 4);
+    *this = singleBlocks(A.bothHalves());
+    const label d = A.blockRows();
 
-    float* values = values_.data();
-    for (label b = 0; b < nBlocks(); ++b)
+    // Rows are filled from the left as the columns are passed
+    std::vector<label> next(nRows());
+    for (label i = 0; i < nRows(); ++i)
     {
-        for (label l = 0; l < blockCols(); ++l)
+        next[i] = start(i);
+    }
+
+    for (label i = 0; i < nRows(); ++i)
+    {
+        for (label b = A.start(i); b < A.start(i + 1); ++b)
         {
-            for (label k = 0; k < blockRows(); ++k)
+            const label j = A.column(b);
+            const double* from = A.block(b);
+
+            // The other one is column by column, and so the same values
+            if (j > i)
             {
-                *values++ = A.block(b)[blockCols()*k + l];
+                std::copy(from, from + d*d, block(next[j]++));
+            }
+
+            float* to = block(next[i]++);
+            for (label l = 0; l < d; ++l)
+            {
+                for (label k = 0; k < d; ++k)
+                {
+                    *to++ = from[d*k + l];
+                }
             }
         }
     }
-    std::fill(values, values + 4, 0);
+}
+
+
+void Foam::singleBlocks::clear()
+{
+    *this = singleBlocks();
 }
 
 

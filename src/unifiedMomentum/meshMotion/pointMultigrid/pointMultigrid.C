@@ -79,7 +79,7 @@ Foam::pointMultigrid::pointMultigrid
     const label n = points_.size();
     sparseMatrix A(n, n);
     A.setFromTriplets(entries.begin(), entries.end());
-    A_ = blockMatrix(A, 1, 1);
+    A_ = blockMatrix(A, 1);
 
     const label maxDirect =
         mesh.nGeometricD() == 3 ? maxDirect3D : maxDirect2D;

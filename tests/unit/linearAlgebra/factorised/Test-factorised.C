@@ -62,14 +62,15 @@ static blockMatrix membrane(const label n, const label order)
     // SI units of a metal over those of a velocity
     result *= 1e11;
 
-    return blockMatrix(result, 1, 1);
+    return blockMatrix(result, 1);
 }
 
 
 //- Error of the energy norm, for a smooth solution; values of any size
 static scalar errorOf(const factorised& f, const blockMatrix& blocks)
 {
-    const sparseMatrix A(blocks.sparse());
+    const Eigen::MatrixXd upper(blocks.sparse());
+    const Eigen::MatrixXd A(upper.selfadjointView<Eigen::Upper>());
     Eigen::VectorXd x(A.rows());
     for (label i = 0; i < x.size(); ++i)
     {
@@ -98,7 +99,7 @@ int main()
         check(f.error() <= 1e-9, "double precision is known");
 
         const sparseMatrix doubled(2*easy.sparse());
-        const blockMatrix twice(doubled, 1, 1);
+        const blockMatrix twice(doubled, 1);
         f.set(twice);
         checkSmall(errorOf(f, twice), 1e-10, "other values");
     }
@@ -127,7 +128,7 @@ int main()
         {
             entries.insert(i, i) = 2;
         }
-        const blockMatrix diagonal(entries, 1, 1);
+        const blockMatrix diagonal(entries, 1);
 
         checkSmall
         (

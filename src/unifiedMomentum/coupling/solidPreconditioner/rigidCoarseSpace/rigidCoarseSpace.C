@@ -127,8 +127,10 @@ void Foam::rigidCoarseSpace::setPairs()
     {
         for (label place = A.start(nodei); place < A.start(nodei + 1); ++place)
         {
-            const label a = aggregate_[nodei];
-            const label b = aggregate_[A.column(place)];
+            const label a =
+                min(aggregate_[nodei], aggregate_[A.column(place)]);
+            const label b =
+                max(aggregate_[nodei], aggregate_[A.column(place)]);
             const auto found = number.insert({{a, b}, pairs.size()});
 
             if (found.second)
@@ -220,10 +222,25 @@ void Foam::rigidCoarseSpace::update()
                 nModes,
                 nModes
             );
-            sum.noalias() +=
-                Zi
-               *transposed.transpose()
-               *modes_.middleRows(d*A.column(place), d);
+            const label nodej = A.column(place);
+            const Eigen::MatrixXd product
+            (
+                Zi*transposed.transpose()*modes_.middleRows(d*nodej, d)
+            );
+
+            // The lower half of A has the transposed
+            if (aggregate_[nodei] <= aggregate_[nodej])
+            {
+                sum += product;
+            }
+            if
+            (
+                aggregate_[nodei] > aggregate_[nodej]
+             || (aggregate_[nodei] == aggregate_[nodej] && nodei != nodej)
+            )
+            {
+                sum += product.transpose();
+            }
         }
     }
 
@@ -262,7 +279,7 @@ void Foam::rigidCoarseSpace::update()
         }
     }
 
-    coarse_.set(blockMatrix(coarse, nModes, nModes));
+    coarse_.set(blockMatrix(coarse, nModes));
 }
 
 

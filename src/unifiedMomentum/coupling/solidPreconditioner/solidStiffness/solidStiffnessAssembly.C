@@ -81,7 +81,7 @@ void Foam::solidStiffness::setPattern(cellStiffness& cell)
             columns.insert
             (
                 columns.end(),
-                row.begin(),
+                std::lower_bound(row.begin(), row.end(), nodei),
                 std::lower_bound(row.begin(), row.end(), nRows)
             );
             start.push_back(columns.size());
@@ -187,7 +187,11 @@ void Foam::solidStiffness::setValues(cellStiffness& cell)
                     (v[i].node < 0 && v[i].face < 0)
                  || (v[j].node < 0 && v[j].face < 0);
 
-                if (given || (v[i].node >= 0 && v[j].face >= 0))
+                const bool lower =
+                    v[i].node >= 0
+                 && (v[j].face >= 0 || v[j].node < v[i].node);
+
+                if (given || lower)
                 {
                     continue;
                 }
@@ -243,7 +247,10 @@ void Foam::solidStiffness::setValues(cellStiffness& cell)
         {
             for (const label nodej : nodes)
             {
-                f.places.append(matrix_.place(nodei, nodej));
+                if (nodei <= nodej)
+                {
+                    f.places.append(matrix_.place(nodei, nodej));
+                }
             }
         }
         f.faces.transfer(faces);
@@ -370,7 +377,10 @@ void Foam::solidStiffness::update
         {
             forAll(f.nodes, j)
             {
-                add(f.places[pair++], K.block(d*i, d*j, d, d));
+                if (f.nodes[i] <= f.nodes[j])
+                {
+                    add(f.places[pair++], K.block(d*i, d*j, d, d));
+                }
             }
         }
     }
