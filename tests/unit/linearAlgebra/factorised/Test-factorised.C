@@ -85,6 +85,119 @@ static scalar errorOf(const factorised& f, const blockMatrix& blocks)
 }
 
 
+//- Parents and sizes are those of the dense factor in the order of the tree
+static void testTree()
+{
+    const sparseMatrix A(membrane(9, 1).sparse());
+    const eliminationTree tree(A.transpose());
+    const label n = A.rows();
+
+    const Eigen::MatrixXd upper(A);
+    const Eigen::MatrixXd whole(upper.selfadjointView<Eigen::Upper>());
+    const Eigen::MatrixXd permuted
+    (
+        tree.order()*whole*tree.order().transpose()
+    );
+    const Eigen::MatrixXd L(permuted.llt().matrixL());
+
+    bool right = true;
+    scalar operations = 0;
+
+    for (label j = n - 1; j >= 0; --j)
+    {
+        label size = 0;
+        label first = -1;
+        for (label i = n - 1; i > j; --i)
+        {
+            if (mag(L(i, j)) > 0)
+            {
+                ++size;
+                first = i;
+            }
+        }
+        right = right && tree.size(j) == size && tree.parent(j) == first;
+        operations += scalar(size)*size;
+    }
+    check(right, "parents and sizes of columns");
+    checkSmall
+    (
+        mag(tree.operations() - operations),
+        1e-12,
+        "operations"
+    );
+
+    // Descendants of a column stand right before it
+    std::vector<label> nBefore(n, 0);
+    bool together = true;
+    for (label j = 0; j < n; ++j)
+    {
+        const label parent = tree.parent(j);
+        if (parent >= 0)
+        {
+            nBefore[parent] += nBefore[j] + 1;
+        }
+    }
+    for (label j = 0; j < n; ++j)
+    {
+        for (label i = j - nBefore[j]; i < j; ++i)
+        {
+            label above = i;
+            while (above >= 0 && above < j)
+            {
+                above = tree.parent(above);
+            }
+            together = together && above == j;
+        }
+    }
+    check(together, "the order is a postorder");
+}
+
+
+//- Matrices whose fronts are of all kinds
+static void testFronts()
+{
+    testing::random next;
+
+    // Two bodies, one of them dense and wider than a block of columns, and
+    // nodes of their own
+    const label n = 150;
+    std::vector<Eigen::Triplet<double>> entries;
+    for (label i = 0; i < 2*n; ++i)
+    {
+        entries.push_back({int(i), int(i), 200.0});
+        for (label j = 0; j < i && i < n; ++j)
+        {
+            const scalar value = next();
+            entries.push_back({int(i), int(j), value});
+            entries.push_back({int(j), int(i), value});
+        }
+        if (i > n + 20)
+        {
+            entries.push_back({int(i), int(i - 1), -80.0});
+            entries.push_back({int(i - 1), int(i), -80.0});
+        }
+    }
+    sparseMatrix A(2*n, 2*n);
+    A.setFromTriplets(entries.begin(), entries.end());
+
+    factorised::minShort = 500000;
+    factorised f;
+    f.set(blockMatrix(A, 2));
+
+    Eigen::VectorXd x(2*n);
+    for (label i = 0; i < x.size(); ++i)
+    {
+        x[i] = next();
+    }
+    checkSmall
+    (
+        (f.solve(A*x) - x).norm()/x.norm(),
+        1e-12,
+        "dense, slender and single"
+    );
+}
+
+
 // * * * * * * * * * * * * * * * *  Main program * * * * * * * * * * * * * * //
 
 int main()
@@ -142,6 +255,9 @@ int main()
             "long rows take more operations"
         );
     }
+
+    testTree();
+    testFronts();
 
     factorised none;
     none.set(blockMatrix());
