@@ -429,6 +429,12 @@ void Foam::rigidBodyModes::setUp()
     const bool allInOne = whole(nodes_.geometry());
     const bool ownDirect = direct(nodes_.geometry());
 
+    // Those of an old shape first
+    own_.clear();
+    coarse_.clear();
+    smoother_.clear();
+    stiffness_.clear();
+
     {
         // Not that of the operator: the same at any time step, to the last
         // digit, so that a restart goes on bitwise
