@@ -554,7 +554,14 @@ static void testFewNodes()
     check(iterations(s.K, M) <= 25, "groups of one node");
 
     const strip none(0, 0, 1);
-    aggregationMultigrid empty(none.blocks, none.modes, labelList(), 300, false);
+    aggregationMultigrid empty
+    (
+        none.blocks,
+        none.modes,
+        labelList(),
+        300,
+        false
+    );
     empty.update(none.blocks);
     check(empty.solve(Eigen::VectorXd(0)).size() == 0, "no solid");
 }
