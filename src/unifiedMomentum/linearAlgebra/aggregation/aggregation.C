@@ -260,60 +260,43 @@ Foam::labelList Foam::aggregation::pairwise
 
 Foam::labelList Foam::aggregation::greedy
 (
-    const sparseMatrix& A,
-    const label d,
+    const blockMatrix& A,
     const scalar threshold
 )
 {
-    const label n = A.rows()/d;
+    const label n = A.nRows();
+    const label size = A.blockRows()*A.blockCols();
 
-    // Squared norms of blocks
-    std::vector<std::vector<std::pair<label, scalar>>> norms(n);
-    scalarList diagonal(n, 0.0);
-    scalarList sum(n, 0.0);
+    const auto norm = [&](const label place)
+    {
+        scalar sum = 0;
+        for (label k = 0; k < size; ++k)
+        {
+            sum += sqr(A.block(place)[k]);
+        }
+        return Foam::sqrt(sum);
+    };
 
+    scalarList diagonal(n);
     for (label i = 0; i < n; ++i)
     {
-        std::vector<label> found;
-
-        for (label row = d*i; row < d*(i + 1); ++row)
-        {
-            for (sparseMatrix::InnerIterator entry(A, row); entry; ++entry)
-            {
-                const label j = entry.col()/d;
-                if (sum[j] == 0)
-                {
-                    found.push_back(j);
-                }
-                sum[j] += sqr(entry.value()) + VSMALL;
-            }
-        }
-        std::sort(found.begin(), found.end());
-
-        for (const label j : found)
-        {
-            norms[i].push_back({j, sum[j]});
-            if (j == i)
-            {
-                diagonal[i] = Foam::sqrt(sum[j]);
-            }
-            sum[j] = 0;
-        }
+        diagonal[i] = norm(A.place(i, i));
     }
 
     std::vector<std::vector<label>> neighbours(n);
     for (label i = 0; i < n; ++i)
     {
-        for (const auto& norm : norms[i])
+        for (label b = A.start(i); b < A.start(i + 1); ++b)
         {
-            const label j = norm.first;
+            const label j = A.column(b);
             if
             (
                 i != j
-             && norm.second > sqr(threshold)*diagonal[i]*diagonal[j]
+             && norm(b) > threshold*Foam::sqrt(diagonal[i]*diagonal[j])
             )
             {
                 neighbours[i].push_back(j);
+                neighbours[j].push_back(i);
             }
         }
     }

@@ -48,7 +48,7 @@ void Foam::aggregationMultigrid::smooth
     }
 
     Eigen::VectorXd step(Eigen::VectorXd::Zero(b.size()));
-    l.shortInvD.add(1/centre, r, step);
+    l.invD.add(1/centre, r, step);
     scalar factor = radius/centre;
 
     for (label k = 0; k < nSteps_; ++k)
@@ -60,7 +60,7 @@ void Foam::aggregationMultigrid::smooth
             l.shortA.add(-1, step, r);
             const scalar next = 1/(2*centre/radius - factor);
             step *= next*factor;
-            l.shortInvD.add(2*next/radius, r, step);
+            l.invD.add(2*next/radius, r, step);
             factor = next;
         }
     }
@@ -87,8 +87,8 @@ Eigen::VectorXd Foam::aggregationMultigrid::cycle
     l.shortA.add(-1, x, r);
 
     Eigen::VectorXd coarse(Eigen::VectorXd::Zero(l.P.cols()));
-    l.shortP.addTransposed(r, coarse);
-    l.shortP.add(1, cycle(leveli + 1, coarse), x);
+    l.P.addTransposed(r, coarse);
+    l.P.add(1, cycle(leveli + 1, coarse), x);
 
     smooth(l, b, x, false);
 
@@ -98,7 +98,7 @@ Eigen::VectorXd Foam::aggregationMultigrid::cycle
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::aggregationMultigrid::update(const sparseMatrix& A)
+void Foam::aggregationMultigrid::update(const blockMatrix& A)
 {
     finest_ = &A;
 
@@ -106,13 +106,19 @@ void Foam::aggregationMultigrid::update(const sparseMatrix& A)
     {
         level& l = levels_[leveli];
 
-        setSmoother(l);
-        l.shortInvD.set(l.invD, l.d, l.d);
-        l.shortA.set(matrix(l), l.d, l.d);
+        l.shortA.clear();
         coarsen(l, levels_[leveli + 1]);
     }
 
     coarsest_.set(matrix(levels_.back()));
+    levels_.back().A.freeValues();
+
+    // From coarse to fine: few copies at a time
+    for (label leveli = nLevels() - 2; leveli >= 0; --leveli)
+    {
+        setSmoother(levels_[leveli]);
+        levels_[leveli].A.freeValues();
+    }
 }
 
 
@@ -121,10 +127,10 @@ Foam::scalar Foam::aggregationMultigrid::complexity() const
     scalar sum = 0;
     for (const level& l : levels_)
     {
-        sum += matrix(l).nonZeros();
+        sum += matrix(l).nEntries();
     }
 
-    return sum/max(scalar(finest_->nonZeros()), scalar(1));
+    return sum/max(scalar(finest_->nEntries()), scalar(1));
 }
 
 

@@ -24,46 +24,37 @@ License
 #include "aggregation.H"
 #include "galerkinProduct.H"
 #include "labelField.H"
+#include "prolongation.H"
 #include "repeatableNumbers.H"
 #include "ListOps.H"
-#include <Eigen/QR>
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::aggregationMultigrid::setSmoother(level& l) const
 {
-    const sparseMatrix& A = matrix(l);
-    const label d = l.d;
-    const label n = A.rows()/d;
+    const blockMatrix& A = matrix(l);
+    const label d = A.blockRows();
 
-    l.invD = sparseMatrix(A.rows(), A.rows());
-    l.invD.reserve(Eigen::VectorXi::Constant(A.rows(), d));
+    l.shortA.set(A);
 
-    for (label i = 0; i < n; ++i)
+    if (l.invD.nRows() == 0)
     {
-        Eigen::MatrixXd D(Eigen::MatrixXd::Zero(d, d));
-
-        for (label k = 0; k < d; ++k)
+        std::vector<label> start(1, 0);
+        std::vector<label> columns;
+        for (label i = 0; i < A.nRows(); ++i)
         {
-            for (sparseMatrix::InnerIterator e(A, d*i + k); e; ++e)
-            {
-                if (e.col()/d == i)
-                {
-                    D(k, e.col() - d*i) = e.value();
-                }
-            }
+            columns.push_back(i);
+            start.push_back(i + 1);
         }
-
-        const Eigen::MatrixXd invD(D.inverse());
-        for (label k = 0; k < d; ++k)
-        {
-            for (label m = 0; m < d; ++m)
-            {
-                l.invD.insert(d*i + k, d*i + m) = invD(k, m);
-            }
-        }
+        l.invD = singleBlocks(blockPattern(d, d, A.nRows(), start, columns));
     }
-    l.invD.makeCompressed();
+    for (label i = 0; i < A.nRows(); ++i)
+    {
+        // Symmetric: its rows are its columns
+        const Eigen::Map<const Eigen::MatrixXd> D(A.block(A.place(i, i)), d, d);
+        const Eigen::MatrixXd invD(D.inverse());
+        Eigen::Map<Eigen::MatrixXf>(l.invD.block(i), d, d) = invD.cast<float>();
+    }
 
     // Largest eigenvalue from below, by power iterations from a repeatable
     // start
@@ -77,8 +68,10 @@ void Foam::aggregationMultigrid::setSmoother(level& l) const
     l.rho = 1;
     for (label iter = 0; iter < 15; ++iter)
     {
-        const Eigen::VectorXd Ax(A*x);
-        x.noalias() = l.invD*Ax;
+        Eigen::VectorXd Ax(Eigen::VectorXd::Zero(A.rows()));
+        l.shortA.add(1, x, Ax);
+        x.setZero();
+        l.invD.add(1, Ax, x);
         l.rho = x.norm();
         x /= l.rho;
     }
@@ -86,84 +79,21 @@ void Foam::aggregationMultigrid::setSmoother(level& l) const
 }
 
 
-Foam::sparseMatrix Foam::aggregationMultigrid::tentative
-(
-    const labelList& aggregates,
-    const label d,
-    Eigen::MatrixXd& modes
-)
-{
-    const label nModes = modes.cols();
-    const label nAggregates = aggregates.empty() ? 0 : max(aggregates) + 1;
-    const labelListList nodes(invertOneToMany(nAggregates, aggregates));
-
-    std::vector<Eigen::Triplet<double>> entries;
-    entries.reserve(modes.rows()*nModes);
-    Eigen::MatrixXd coarse
-    (
-        Eigen::MatrixXd::Zero(nAggregates*nModes, nModes)
-    );
-
-    forAll(nodes, a)
-    {
-        const label n = nodes[a].size();
-        Eigen::MatrixXd B(d*n, nModes);
-        forAll(nodes[a], i)
-        {
-            B.middleRows(d*i, d) = modes.middleRows(d*nodes[a][i], d);
-        }
-
-        // With fewer unknowns than modes the last columns stay empty
-        const label rank = min(d*n, nModes);
-        const Eigen::HouseholderQR<Eigen::MatrixXd> qr(B);
-        const Eigen::MatrixXd Q
-        (
-            qr.householderQ()*Eigen::MatrixXd::Identity(d*n, rank)
-        );
-
-        for (label k = 0; k < rank; ++k)
-        {
-            for (label m = k; m < nModes; ++m)
-            {
-                coarse(a*nModes + k, m) = qr.matrixQR()(k, m);
-            }
-        }
-
-        forAll(nodes[a], i)
-        {
-            for (label k = 0; k < d; ++k)
-            {
-                for (label m = 0; m < rank; ++m)
-                {
-                    entries.push_back
-                    ({
-                        int(d*nodes[a][i] + k),
-                        int(a*nModes + m),
-                        Q(d*i + k, m)
-                    });
-                }
-            }
-        }
-    }
-
-    sparseMatrix T(modes.rows(), nAggregates*nModes);
-    T.setFromTriplets(entries.begin(), entries.end());
-    modes = coarse;
-
-    return T;
-}
-
-
 void Foam::aggregationMultigrid::coarsen(const level& l, level& next) const
 {
-    galerkinProduct(matrix(l), l.P, l.d, next.d, next.A);
+    galerkinProduct(matrix(l), l.P, next.A);
 
     // Unknowns of the empty columns: nothing acts on them
-    for (label i = 0; i < next.A.rows(); ++i)
+    const label d = next.A.blockRows();
+    for (label i = 0; i < next.A.nRows(); ++i)
     {
-        if (!(next.A.coeff(i, i) > 0))
+        double* D = next.A.block(next.A.place(i, i));
+        for (label k = 0; k < d; ++k)
         {
-            next.A.coeffRef(i, i) = 1;
+            if (!(D[(d + 1)*k] > 0))
+            {
+                D[(d + 1)*k] = 1;
+            }
         }
     }
 }
@@ -173,8 +103,7 @@ void Foam::aggregationMultigrid::coarsen(const level& l, level& next) const
 
 Foam::aggregationMultigrid::aggregationMultigrid
 (
-    const sparseMatrix& K,
-    const label d,
+    const blockMatrix& K,
     const Eigen::MatrixXd& modes,
     const labelList& aggregates,
     const label nDirect,
@@ -190,14 +119,13 @@ Foam::aggregationMultigrid::aggregationMultigrid
 
     // No copies of large matrices on the way
     levels_.reserve(maxLevels);
-    levels_[0].d = d;
 
-    Eigen::MatrixXd B(modes);
+    prolongation::rowMatrix B(modes);
     labelList groups(aggregates);
 
     const auto direct = [&]()
     {
-        const sparseMatrix& A = matrix(levels_.back());
+        const blockMatrix& A = matrix(levels_.back());
 
         return
             nLevels() == 1
@@ -209,33 +137,41 @@ Foam::aggregationMultigrid::aggregationMultigrid
     while (!direct() && nLevels() < maxLevels)
     {
         level& l = levels_.back();
-        const sparseMatrix& A = matrix(l);
+        const blockMatrix& A = matrix(l);
 
-        setSmoother(l);
         if (nLevels() > 1)
         {
-            groups = aggregation::greedy(A, l.d, 0.05);
+            groups = aggregation::greedy(A, 0.05);
         }
 
-        const label dCoarse = B.cols();
+        const label n = groups.empty() ? 0 : max(groups) + 1;
+        if (n*B.cols() >= A.rows())
         {
-            const sparseMatrix T(tentative(groups, l.d, B));
-            if (T.cols() >= A.rows())
-            {
-                break;
-            }
-
-            sparseMatrix DAT(A*T);
-            DAT = l.invD*DAT;
-            l.P = T - (4.0/(3*l.rho))*DAT;
-            l.shortP.set(l.P, l.d, dCoarse);
+            break;
         }
+
+        setSmoother(l);
+        const Eigen::MatrixXd coarse
+        (
+            prolongation::orthonormalise
+            (
+                invertOneToMany(n, groups),
+                A.blockRows(),
+                B
+            )
+        );
+        l.P =
+            prolongation::smoothed(A, l.invD, 4.0/(3*l.rho), B, groups, n);
+        B = coarse;
+        l.shortA.clear();
 
         level next;
-        next.d = dCoarse;
         coarsen(l, next);
+        l.A.freeValues();
         levels_.push_back(std::move(next));
     }
+
+    levels_.back().A.freeValues();
 }
 
 

@@ -22,57 +22,6 @@ License
 
 #include "factorised.H"
 #include "repeatableNumbers.H"
-#include "error.H"
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace Foam
-{
-
-//- Symmetric: its rows are its columns
-static Eigen::Map<const Eigen::SparseMatrix<double>> byColumns
-(
-    const sparseMatrix& A
-)
-{
-    return Eigen::Map<const Eigen::SparseMatrix<double>>
-    (
-        A.rows(),
-        A.cols(),
-        A.nonZeros(),
-        A.outerIndexPtr(),
-        A.innerIndexPtr(),
-        A.valuePtr()
-    );
-}
-
-
-//- Sizes of the columns of the factor
-struct analysis
-:
-    public Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>
-{
-    scalar operations() const
-    {
-        scalar sum = 0;
-        for (label j = 0; j < m_matrix.cols(); ++j)
-        {
-            sum += sqr
-            (
-                scalar
-                (
-                    m_matrix.outerIndexPtr()[j + 1]
-                  - m_matrix.outerIndexPtr()[j]
-                )
-            );
-        }
-
-        return sum;
-    }
-};
-
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -82,94 +31,6 @@ constexpr Foam::scalar Foam::factorised::roundOff;
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-void Foam::factorised::setPanels(const columnMatrix& L)
-{
-    // Zeros that a panel may have, of its entries
-    const double maxZeros = 0.15;
-
-    // Strictly lower triangle by columns, rows in ascending order
-    const label n = L.cols();
-    const auto* start = L.outerIndexPtr();
-    const auto* row = L.innerIndexPtr();
-    const auto size = [&](const label j) { return start[j + 1] - start[j]; };
-
-    panels_.clear();
-    rows_.clear();
-    nValues_ = 0;
-
-    for (label first = 0; first < n; first += panels_.back().width)
-    {
-        label last = first;
-        double zeros = 0;
-
-        // A column whose first row is the next column has its rows there
-        while (size(last) > 0 && row[start[last]] == last + 1)
-        {
-            const label width = last - first + 1;
-            const double more =
-                zeros + double(width)*(size(last + 1) + 1 - size(last));
-
-            if (more > maxZeros*(width + 1)*(size(last + 1) + 0.5*width))
-            {
-                break;
-            }
-            zeros = more;
-            ++last;
-        }
-
-        const panel p
-        {
-            first,
-            last - first + 1,
-            label(size(last)),
-            label(rows_.size()),
-            nValues_
-        };
-
-        rows_.insert(rows_.end(), row + start[last], row + start[last + 1]);
-        nValues_ += std::size_t(p.width + p.nRows)*p.width;
-        panels_.push_back(p);
-    }
-}
-
-
-template<class Real>
-void Foam::factorised::setValues
-(
-    const columnMatrix& L,
-    std::vector<Real>& values
-) const
-{
-    values.assign(nValues_, 0);
-
-    for (const panel& p : panels_)
-    {
-        for (label k = 0; k < p.width; ++k)
-        {
-            Real* column =
-                values.data() + p.value + std::size_t(k)*(p.width + p.nRows);
-            label place = 0;
-
-            for (columnMatrix::InnerIterator e(L, p.first + k); e; ++e)
-            {
-                if (e.row() < p.first + p.width)
-                {
-                    column[e.row() - p.first] = Real(e.value());
-                }
-                else
-                {
-                    while (rows_[p.row + place] != e.row())
-                    {
-                        ++place;
-                    }
-                    column[p.width + place] = Real(e.value());
-                }
-            }
-        }
-    }
-}
-
 
 template<class Real>
 void Foam::factorised::substitute
@@ -261,13 +122,8 @@ void Foam::factorised::substitute
 }
 
 
-bool Foam::factorised::tryShort(const sparseMatrix& A, const solver& LDL)
+bool Foam::factorised::tryShort(const blockMatrix& A)
 {
-    if (nValues_ < minShort)
-    {
-        return false;
-    }
-
     // Repeatable, without structure
     Eigen::VectorXd x(A.rows());
     repeatableNumbers numbers;
@@ -277,17 +133,16 @@ bool Foam::factorised::tryShort(const sparseMatrix& A, const solver& LDL)
     }
     for (label iter = 0; iter < 2; ++iter)
     {
-        x = order_*x;
-        x = LDL.solve(x);
-        x = order_.transpose()*x;
+        x = solve(x);
         x /= x.norm();
     }
 
-    const Eigen::VectorXd Ax(A*x);
-    setValues(LDL.matrixL().nestedExpression(), singles_);
+    Eigen::VectorXd Ax(Eigen::VectorXd::Zero(x.size()));
+    A.add(1, x, Ax);
 
     const Eigen::VectorXd difference(solve(Ax) - x);
-    const Eigen::VectorXd residual(A*difference);
+    Eigen::VectorXd residual(Eigen::VectorXd::Zero(x.size()));
+    A.add(1, difference, residual);
     error_ = std::sqrt(std::abs(difference.dot(residual)/x.dot(Ax)));
 
     return error_ < roundOff;
@@ -305,80 +160,6 @@ Foam::factorised::factorised()
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-Foam::scalar Foam::factorised::operations(const sparseMatrix& A)
-{
-    const Eigen::SparseMatrix<double> columns(byColumns(A));
-    analysis a;
-    a.analyzePattern(columns);
-
-    return a.operations();
-}
-
-
-void Foam::factorised::set(const sparseMatrix& A)
-{
-    if (A.rows() == 0)
-    {
-        return;
-    }
-
-    columnMatrix columns;
-    {
-        const auto given(byColumns(A));
-
-        if (order_.size() == 0)
-        {
-            const columnMatrix copy(given);
-            Eigen::PermutationMatrix<Eigen::Dynamic> inverse;
-            Eigen::AMDOrdering<int>()
-            (
-                copy.selfadjointView<Eigen::Lower>(),
-                inverse
-            );
-            order_ = inverse.transpose();
-        }
-
-        columns.resize(A.rows(), A.cols());
-        columns.selfadjointView<Eigen::Lower>() =
-            given.selfadjointView<Eigen::Lower>().twistedBy(order_);
-    }
-
-    // Its matrix goes with it: the panels have all that solutions need
-    solver LDL;
-    LDL.analyzePattern(columns);
-
-    // A free body at a huge time step is singular to round-off
-    for (double shift = 1e-13; shift < 1; shift *= 100)
-    {
-        LDL.setShift(0, 1 + shift);
-        LDL.factorize(columns);
-
-        if (LDL.info() == Eigen::Success && LDL.vectorD().minCoeff() > 0)
-        {
-            const columnMatrix& L = LDL.matrixL().nestedExpression();
-
-            D_ = LDL.vectorD();
-            largest_ = D_.maxCoeff();
-            setPanels(L);
-
-            std::vector<double>().swap(values_);
-            if (!tryShort(A, LDL))
-            {
-                // Far below any tolerance
-                error_ = 1e-9;
-                std::vector<float>().swap(singles_);
-                setValues(L, values_);
-            }
-
-            return;
-        }
-    }
-
-    FatalErrorInFunction
-        << "A matrix of the solids is not positive" << exit(FatalError);
-}
-
 
 Eigen::VectorXd Foam::factorised::solve(const Eigen::VectorXd& b) const
 {

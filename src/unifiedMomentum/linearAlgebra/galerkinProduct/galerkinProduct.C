@@ -21,263 +21,150 @@ License
 
 
 #include "galerkinProduct.H"
-#include "ListOps.H"
-#include "labelList.H"
-#include "DynamicList.H"
-#include "scalarField.H"
+#include "columnSet.H"
 #include "error.H"
+#include <Eigen/Dense>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace Foam
 {
-    //- Some block columns, each with its place among them
-    class columnSet
-    {
-        DynamicList<label> columns_;
-
-        //- Of all block columns; -1: not one of them
-        labelList place_;
-
-    public:
-
-        explicit columnSet(const label nColumns)
-        :
-            place_(nColumns, -1)
-        {}
-
-        //- Place of a column, which is added if it is new
-        label add(const label column)
-        {
-            if (place_[column] < 0)
-            {
-                place_[column] = columns_.size();
-                columns_.append(column);
-            }
-            return place_[column];
-        }
-
-        label place(const label column) const
-        {
-            return place_[column];
-        }
-
-        const DynamicList<label>& columns() const
-        {
-            return columns_;
-        }
-
-        void clear()
-        {
-            for (const label column : columns_)
-            {
-                place_[column] = -1;
-            }
-            columns_.clear();
-        }
-    };
-
-
-    //- Block columns of each block row of P
-    static labelListList blockColumns
-    (
-        const sparseMatrix& P,
-        const label d,
-        const label dc
-    )
-    {
-        labelListList result(P.rows()/d);
-        columnSet found(P.cols()/dc);
-
-        forAll(result, i)
-        {
-            for (label k = 0; k < d; ++k)
-            {
-                for (sparseMatrix::InnerIterator e(P, d*i + k); e; ++e)
-                {
-                    found.add(e.col()/dc);
-                }
-            }
-            result[i] = found.columns();
-            found.clear();
-        }
-
-        return result;
-    }
-
-
     //- C with its pattern and zeros
-    static sparseMatrix emptyProduct
+    static blockMatrix emptyProduct
     (
-        const sparseMatrix& A,
-        const labelListList& columnsP,
-        const label d,
-        const label dc,
-        const label nCoarse
+        const blockPattern& wholeA,
+        const blockPattern& P
     )
     {
-        const labelListList rows
-        (
-            invertManyToMany<labelList, labelList>(nCoarse, columnsP)
-        );
-        columnSet ofA(columnsP.size());
-        columnSet ofC(nCoarse);
+        const blockPattern rows(P.transposed());
+        columnSet ofA(wholeA.nCols());
+        columnSet ofC(P.nCols());
         std::vector<label> start(1, 0);
         std::vector<label> columns;
 
-        forAll(rows, I)
+        for (label I = 0; I < P.nCols(); ++I)
         {
-            for (const label i : rows[I])
+            ofA.clear();
+            for (label r = rows.start(I); r < rows.start(I + 1); ++r)
             {
-                for (sparseMatrix::InnerIterator e(A, d*i); e; ++e)
-                {
-                    ofA.add(e.col()/d);
-                }
+                ofA.addRow(wholeA, rows.column(r));
             }
+
+            ofC.clear();
             for (const label j : ofA.columns())
             {
-                for (const label J : columnsP[j])
-                {
-                    ofC.add(J);
-                }
+                ofC.addRow(P, j, I);
             }
 
-            labelList sorted(ofC.columns());
-            sort(sorted);
-            columns.insert(columns.end(), sorted.begin(), sorted.end());
+            ofC.sort();
+            columns.insert
+            (
+                columns.end(),
+                ofC.columns().begin(),
+                ofC.columns().end()
+            );
             start.push_back(columns.size());
-            ofA.clear();
-            ofC.clear();
         }
 
-        return blockPattern(dc, nCoarse, start, columns, nCoarse);
+        const label dc = P.blockCols();
+
+        return blockMatrix
+        (
+            blockPattern(dc, dc, P.nCols(), start, columns)
+        );
     }
 
 
-    //- The blocks of P, dense, in the order of columnsP; those of block row i
-    //  begin with number start[i]
-    static scalarField denseBlocks
-    (
-        const sparseMatrix& P,
-        const labelListList& columnsP,
-        const label d,
-        const label dc,
-        labelList& start
-    )
-    {
-        start.setSize(columnsP.size() + 1);
-        start[0] = 0;
-        forAll(columnsP, i)
-        {
-            start[i + 1] = start[i] + columnsP[i].size();
-        }
-
-        scalarField blocks(d*dc*start.last(), 0);
-        labelList place(P.cols()/dc);
-
-        forAll(columnsP, i)
-        {
-            forAll(columnsP[i], q)
-            {
-                place[columnsP[i][q]] = start[i] + q;
-            }
-            for (label k = 0; k < d; ++k)
-            {
-                for (sparseMatrix::InnerIterator e(P, d*i + k); e; ++e)
-                {
-                    blocks[(place[e.col()/dc]*d + k)*dc + e.col() % dc] =
-                        e.value();
-                }
-            }
-        }
-
-        return blocks;
-    }
-
-
-    //- Add to C, block row by block row of A P; sizes are known when compiled
+    //- Add to C; sizes of blocks are known when compiled
     template<int d, int dc>
     static void addProduct
     (
-        const sparseMatrix& A,
-        const labelListList& columnsP,
-        const scalarField& blocks,
-        const labelList& start,
-        sparseMatrix& C
+        const blockMatrix& A,
+        const blockPattern& wholeA,
+        const singleBlocks& P,
+        blockMatrix& C
     )
     {
-        columnSet columns(C.rows()/dc);
-        labelList placeInC(C.rows()/dc);
-        scalarField AP;
+        typedef Eigen::Matrix<double, d, d, Eigen::RowMajor> blockA;
+        typedef Eigen::Matrix<double, d, dc, Eigen::RowMajor> blockP;
+        typedef Eigen::Matrix<float, d, dc, Eigen::ColMajor> floatP;
+        typedef Eigen::Matrix<double, dc, dc, Eigen::RowMajor> blockC;
 
-        forAll(columnsP, i)
+        columnSet columns(P.nCols());
+        std::vector<double> AP;
+
+        for (label i = 0; i < P.nRows(); ++i)
         {
-            const int* outer = A.outerIndexPtr() + d*i;
-            const label nBlocks = (outer[1] - outer[0])/d;
+            if (P.start(i) == P.start(i + 1))
+            {
+                continue;
+            }
+
+            // Row of A P, without the columns that only the lower half needs
+            const label first = P.column(P.start(i));
 
             columns.clear();
-            for (label b = 0; b < nBlocks; ++b)
+            for (label b = wholeA.start(i); b < wholeA.start(i + 1); ++b)
             {
-                const label j = A.innerIndexPtr()[outer[0] + d*b]/d;
-                for (const label J : columnsP[j])
-                {
-                    columns.add(J);
-                }
+                columns.addRow(P, wholeA.column(b), first);
             }
+            columns.sort();
+            AP.assign(columns.columns().size()*d*dc, 0);
 
-            AP.setSize(columns.columns().size()*d*dc);
-            AP = 0;
-
-            for (label b = 0; b < nBlocks; ++b)
+            for (label b = wholeA.start(i); b < wholeA.start(i + 1); ++b)
             {
-                const label j = A.innerIndexPtr()[outer[0] + d*b]/d;
+                const label j = wholeA.column(b);
+                blockA a;
+                A.copyBlock(i, j, a.data());
 
-                forAll(columnsP[j], q)
+                for (label q = P.start(j); q < P.start(j + 1); ++q)
                 {
-                    const scalar* p = blocks.cdata() + (start[j] + q)*d*dc;
-                    scalar* ap =
-                        AP.data() + columns.place(columnsP[j][q])*d*dc;
-
-                    for (label k = 0; k < d; ++k)
+                    const label J = P.column(q);
+                    if (J >= first)
                     {
-                        const scalar* a = A.valuePtr() + outer[k] + d*b;
-                        for (label m = 0; m < d; ++m)
-                        {
-                            for (label c = 0; c < dc; ++c)
-                            {
-                                ap[k*dc + c] += a[m]*p[m*dc + c];
-                            }
-                        }
+                        const blockP p
+                        (
+                            Eigen::Map<const floatP>
+                            (
+                                P.block(q)
+                            ).template cast<double>()
+                        );
+                        Eigen::Map<blockP> ap
+                        (
+                            AP.data() + columns.place(J)*d*dc
+                        );
+                        ap += a.lazyProduct(p);
                     }
                 }
             }
 
-            forAll(columnsP[i], q)
+            for (label q = P.start(i); q < P.start(i + 1); ++q)
             {
-                const scalar* p = blocks.cdata() + (start[i] + q)*d*dc;
-                const int* outerC = C.outerIndexPtr() + dc*columnsP[i][q];
+                const label I = P.column(q);
+                const blockP p
+                (
+                    Eigen::Map<const floatP>
+                    (
+                        P.block(q)
+                    ).template cast<double>()
+                );
+                label place = C.place(I, I);
 
-                for (int e = outerC[0]; e < outerC[1]; e += dc)
+                for
+                (
+                    std::size_t r = columns.place(I);
+                    r < columns.columns().size();
+                    ++r
+                )
                 {
-                    placeInC[C.innerIndexPtr()[e]/dc] = e - outerC[0];
-                }
-
-                forAll(columns.columns(), r)
-                {
-                    const label place = placeInC[columns.columns()[r]];
-                    const scalar* ap = AP.cdata() + r*d*dc;
-
-                    for (label a = 0; a < dc; ++a)
+                    while (C.column(place) != columns.columns()[r])
                     {
-                        scalar* c = C.valuePtr() + outerC[a] + place;
-                        for (label k = 0; k < d; ++k)
-                        {
-                            for (label b = 0; b < dc; ++b)
-                            {
-                                c[b] += p[k*dc + a]*ap[k*dc + b];
-                            }
-                        }
+                        ++place;
                     }
+
+                    const Eigen::Map<const blockP> ap(AP.data() + r*d*dc);
+                    Eigen::Map<blockC> c(C.block(place));
+                    c += p.transpose().lazyProduct(ap);
                 }
             }
         }
@@ -289,39 +176,36 @@ namespace Foam
 
 void Foam::galerkinProduct
 (
-    const sparseMatrix& A,
-    const sparseMatrix& P,
-    const label d,
-    const label dc,
-    sparseMatrix& C
+    const blockMatrix& A,
+    const singleBlocks& P,
+    blockMatrix& C
 )
 {
-    const labelListList columnsP(blockColumns(P, d, dc));
-    labelList start;
-    const scalarField blocks(denseBlocks(P, columnsP, d, dc, start));
+    const blockPattern wholeA(A.bothHalves());
 
-    if (C.nonZeros() == 0)
+    if (C.nRows() == 0)
     {
-        // No copy of what is large
-        sparseMatrix empty(emptyProduct(A, columnsP, d, dc, P.cols()/dc));
-        C.swap(empty);
+        C = emptyProduct(wholeA, P);
     }
-    std::fill(C.valuePtr(), C.valuePtr() + C.nonZeros(), 0);
+    else
+    {
+        C.setZero();
+    }
 
     // In 1, 2 and 3 dimensions, from nodes or from modes: to translations or
     // to all rigid-body modes
-    switch (10*d + dc)
+    switch (10*P.blockRows() + P.blockCols())
     {
-        case 11: addProduct<1, 1>(A, columnsP, blocks, start, C); break;
-        case 22: addProduct<2, 2>(A, columnsP, blocks, start, C); break;
-        case 23: addProduct<2, 3>(A, columnsP, blocks, start, C); break;
-        case 33: addProduct<3, 3>(A, columnsP, blocks, start, C); break;
-        case 36: addProduct<3, 6>(A, columnsP, blocks, start, C); break;
-        case 66: addProduct<6, 6>(A, columnsP, blocks, start, C); break;
+        case 11: addProduct<1, 1>(A, wholeA, P, C); break;
+        case 22: addProduct<2, 2>(A, wholeA, P, C); break;
+        case 23: addProduct<2, 3>(A, wholeA, P, C); break;
+        case 33: addProduct<3, 3>(A, wholeA, P, C); break;
+        case 36: addProduct<3, 6>(A, wholeA, P, C); break;
+        case 66: addProduct<6, 6>(A, wholeA, P, C); break;
         default:
             FatalErrorInFunction
-                << "No product for blocks of " << d << " and " << dc
-                << exit(FatalError);
+                << "No product for blocks of " << P.blockRows() << " x "
+                << P.blockCols() << exit(FatalError);
     }
 }
 

@@ -40,7 +40,7 @@ void Foam::singleBlocks::addProduct
 
     const float* a = values_.data();
 
-    for (std::size_t i = 0; i + 1 < start_.size(); ++i)
+    for (label i = 0; i < nRows(); ++i)
     {
         Eigen::Array4f sum[n];
         for (int k = 0; k < n; ++k)
@@ -48,9 +48,9 @@ void Foam::singleBlocks::addProduct
             sum[k].setZero();
         }
 
-        for (label b = start_[i]; b < start_[i + 1]; ++b)
+        for (label b = start(i); b < start(i + 1); ++b)
         {
-            const float* xb = x + C*column_[b];
+            const float* xb = x + C*column(b);
 
             for (int k = 0; k < n; ++k)
             {
@@ -83,13 +83,13 @@ void Foam::singleBlocks::addTransposed
 {
     const float* a = values_.data();
 
-    for (std::size_t i = 0; i + 1 < start_.size(); ++i)
+    for (label i = 0; i < nRows(); ++i)
     {
         const float* xi = x + R*i;
 
-        for (label b = start_[i]; b < start_[i + 1]; ++b)
+        for (label b = start(i); b < start(i + 1); ++b)
         {
-            double* yb = y + C*column_[b];
+            double* yb = y + C*column(b);
 
             for (int l = 0; l < C; ++l, a += R)
             {
@@ -113,6 +113,26 @@ void Foam::singleBlocks::take()
 }
 
 
+void Foam::singleBlocks::take()
+{
+    // In 1, 2 and 3 dimensions, from nodes or from modes: to translations or
+    // to all rigid-body modes
+    switch (10*blockRows() + blockCols())
+    {
+        case 11: take<1, 1>(); break;
+        case 22: take<2, 2>(); break;
+        case 23: take<2, 3>(); break;
+        case 33: take<3, 3>(); break;
+        case 36: take<3, 6>(); break;
+        case 66: take<6, 6>(); break;
+        default:
+            FatalErrorInFunction
+                << "No product for blocks of " << blockRows() << " x "
+                << blockCols() << exit(FatalError);
+    }
+}
+
+
 void Foam::singleBlocks::add
 (
     const product apply,
@@ -133,67 +153,67 @@ void Foam::singleBlocks::add
 }
 
 
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::singleBlocks::singleBlocks()
+:
+    singleBlocks(blockPattern())
+{}
+
+
+// Products read a little further than the last value
+Foam::singleBlocks::singleBlocks(const blockPattern& pattern)
+:
+    blockPattern(pattern),
+    values_(nEntries() + 4, 0)
+{
+    take();
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::singleBlocks::set
-(
-    const sparseMatrix& A,
-    const label nRows,
-    const label nColumns
-)
+void Foam::singleBlocks::set(const blockMatrix& A)
 {
-    // In 1, 2 and 3 dimensions, from nodes or from modes: to translations or
-    // to all rigid-body modes
-    switch (10*nRows + nColumns)
+    *this = singleBlocks(A.bothHalves());
+    const label d = A.blockRows();
+
+    // Rows are filled from the left as the columns are passed
+    std::vector<label> next(nRows());
+    for (label i = 0; i < nRows(); ++i)
     {
-        case 11: take<1, 1>(); break;
-        case 22: take<2, 2>(); break;
-        case 23: take<2, 3>(); break;
-        case 33: take<3, 3>(); break;
-        case 36: take<3, 6>(); break;
-        case 66: take<6, 6>(); break;
-        default:
-            FatalErrorInFunction
-                << "No product for blocks of " << nRows << " x " << nColumns
-                << exit(FatalError);
+        next[i] = start(i);
     }
 
-    const label size = nRows*nColumns;
-    std::vector<label> place(A.cols()/nColumns, -1);
-
-    start_.assign(1, 0);
-    column_.clear();
-    values_.clear();
-    values_.reserve(A.nonZeros() + 4);
-
-    for (label row = 0; row < A.rows(); ++row)
+    for (label i = 0; i < nRows(); ++i)
     {
-        for (sparseMatrix::InnerIterator e(A, row); e; ++e)
+        for (label b = A.start(i); b < A.start(i + 1); ++b)
         {
-            const label column = e.col()/nColumns;
+            const label j = A.column(b);
+            const double* from = A.block(b);
 
-            if (place[column] < start_.back())
+            // The other one is column by column, and so the same values
+            if (j > i)
             {
-                place[column] = column_.size();
-                column_.push_back(column);
-                values_.resize(values_.size() + size, 0);
+                std::copy(from, from + d*d, block(next[j]++));
             }
 
-            values_
-            [
-                std::size_t(size)*place[column]
-              + nRows*(e.col() % nColumns) + row % nRows
-            ] = e.value();
-        }
-
-        if (row % nRows == nRows - 1)
-        {
-            start_.push_back(column_.size());
+            float* to = block(next[i]++);
+            for (label l = 0; l < d; ++l)
+            {
+                for (label k = 0; k < d; ++k)
+                {
+                    *to++ = from[d*k + l];
+                }
+            }
         }
     }
+}
 
-    // Products read a little further
-    values_.insert(values_.end(), 4, 0.0f);
+
+void Foam::singleBlocks::clear()
+{
+    *this = singleBlocks();
 }
 
 

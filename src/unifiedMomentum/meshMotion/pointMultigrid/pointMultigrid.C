@@ -77,8 +77,9 @@ Foam::pointMultigrid::pointMultigrid
     }
 
     const label n = points_.size();
-    A_.resize(n, n);
-    A_.setFromTriplets(entries.begin(), entries.end());
+    sparseMatrix A(n, n);
+    A.setFromTriplets(entries.begin(), entries.end());
+    A_ = blockMatrix(A, 1);
 
     const label maxDirect =
         mesh.nGeometricD() == 3 ? maxDirect3D : maxDirect2D;
@@ -88,9 +89,8 @@ Foam::pointMultigrid::pointMultigrid
         new aggregationMultigrid
         (
             A_,
-            1,
             Eigen::MatrixXd::Ones(n, 1),
-            n > maxDirect ? aggregation::greedy(A_, 1, 0) : identity(n),
+            n > maxDirect ? aggregation::greedy(A_, 0) : identity(n),
             maxDirect,
             false
         )

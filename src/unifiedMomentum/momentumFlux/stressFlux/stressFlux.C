@@ -181,7 +181,12 @@ void Foam::stressFlux::addForces(vectorField& cellForce)
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::stressFlux::stressFlux(const fluxGeometry& geometry, const bool solid)
+Foam::stressFlux::stressFlux
+(
+    const fluxGeometry& geometry,
+    const bool solid,
+    const bool withForces
+)
 :
     geometry_(geometry),
     solid_(solid),
@@ -198,10 +203,10 @@ Foam::stressFlux::stressFlux(const fluxGeometry& geometry, const bool solid)
       : nullptr
     ),
     gradient_(geometry, solid, &links_, finiteLinks_.get()),
-    grad_(geometry.mesh().nCells(), Zero),
+    grad_(withForces ? geometry.mesh().nCells() : 0, Zero),
     stress_(grad_),
     adjoint_(gradient_.twoStages() ? grad_.size() : 0, Zero),
-    ownJump_(geometry.mesh().nFaces(), Zero),
+    ownJump_(withForces ? geometry.mesh().nFaces() : 0, Zero),
     neiJump_(ownJump_),
     ownForce_(ownJump_),
     neiForce_(ownJump_)

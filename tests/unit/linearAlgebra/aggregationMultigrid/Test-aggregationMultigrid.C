@@ -24,6 +24,7 @@ License
 #include "aggregation.H"
 #include "aggregationMultigrid.H"
 #include "galerkinProduct.H"
+#include "prolongation.H"
 #include "ListOps.H"
 #include "labelField.H"
 #include <Eigen/Eigenvalues>
@@ -53,6 +54,7 @@ struct strip
     const label nx;
     const label ny;
     sparseMatrix K;
+    blockMatrix blocks;
     Eigen::MatrixXd modes;
 
     strip(const label nX, const label nY, const scalar clamp)
@@ -122,6 +124,7 @@ struct strip
         }
 
         K.setFromTriplets(entries.begin(), entries.end());
+        blocks = blockMatrix(K, 2);
     }
 
     labelList aggregates(const label nPasses) const
@@ -258,7 +261,7 @@ static void testPairwise()
 static void testGreedy()
 {
     const strip s(12, 9, 1);
-    const labelList groups(aggregation::greedy(s.K, 2, 0.05));
+    const labelList groups(aggregation::greedy(s.blocks, 0.05));
     check(min(groups) == 0, "every node has a group");
 
     labelList size(max(groups) + 1, 0);
@@ -271,56 +274,101 @@ static void testGreedy()
 }
 
 
+//- Blocks of size d in the pattern of a strip
+static sparseMatrix symmetric(const strip& s, const label d)
+{
+    testing::random next;
+    std::vector<Eigen::Triplet<double>> entries;
+
+    for (label i = 0; i < s.K.rows(); i += 2)
+    {
+        for (sparseMatrix::InnerIterator e(s.K, i); e; ++e)
+        {
+            for (label k = 0; k < d*d && e.col() % 2 == 0; ++k)
+            {
+                entries.push_back
+                ({int(i/2*d + k/d), int(e.col()/2*d + k % d), next()});
+            }
+        }
+    }
+
+    const label n = s.K.rows()/2;
+    sparseMatrix A(n*d, n*d);
+    A.setFromTriplets(entries.begin(), entries.end());
+    const sparseMatrix transpose(A.transpose());
+    const sparseMatrix sum(A + transpose);
+
+    return sum;
+}
+
+
+static Eigen::MatrixXd dense(const singleBlocks& P)
+{
+    const label R = P.blockRows();
+    const label C = P.blockCols();
+    Eigen::MatrixXd result(Eigen::MatrixXd::Zero(P.rows(), P.cols()));
+
+    for (label i = 0; i < P.nRows(); ++i)
+    {
+        for (label b = P.start(i); b < P.start(i + 1); ++b)
+        {
+            const Eigen::Map<const Eigen::MatrixXf> block(P.block(b), R, C);
+            result.block(R*i, C*P.column(b), R, C) = block.cast<double>();
+        }
+    }
+
+    return result;
+}
+
+
 //- Coarse matrices by blocks are those of Eigen's general product
 static void testProduct()
 {
     const strip s(12, 9, 1);
+    const label n = s.K.rows()/2;
     testing::random next;
 
-    // Blocks of the strip's pattern, also of the size of coarse levels
+    // Blocks also of the size of coarse levels
     for (const label d : {1, 2, 3, 6})
     {
-        std::vector<Eigen::Triplet<double>> entries;
-        for (label i = 0; i < s.K.rows(); i += 2)
-        {
-            for (sparseMatrix::InnerIterator e(s.K, i); e; ++e)
-            {
-                for (label k = 0; k < d*d && e.col() % 2 == 0; ++k)
-                {
-                    entries.push_back
-                    ({int(i/2*d + k/d), int(e.col()/2*d + k % d), next()});
-                }
-            }
-        }
-        const label n = s.K.rows()/2;
-        sparseMatrix A(n*d, n*d);
-        A.setFromTriplets(entries.begin(), entries.end());
-
+        const sparseMatrix A(symmetric(s, d));
         const label dc = (d == 1 ? 1 : d == 2 ? 3 : 6);
         const label nCoarse = 7;
-        sparseMatrix C;
+        blockMatrix C;
 
         // The second time with the pattern of the first
         for (label time = 0; time < 2; ++time)
         {
-            entries.clear();
-            for (label i = 0; i < n*d; ++i)
+            std::vector<label> start(1, 0);
+            std::vector<label> columns;
+            for (label i = 0; i < n; ++i)
             {
-                const label first = (i/d)*nCoarse/n;
-                for (label c = first*dc; c < min(first + 2, nCoarse)*dc; ++c)
+                const label first = i*nCoarse/n;
+                columns.push_back(first);
+                if (first + 1 < nCoarse)
                 {
-                    entries.push_back({int(i), int(c), next()});
+                    columns.push_back(first + 1);
                 }
+                start.push_back(columns.size());
             }
-            sparseMatrix P(n*d, nCoarse*dc);
-            P.setFromTriplets(entries.begin(), entries.end());
+            singleBlocks P(blockPattern(d, dc, nCoarse, start, columns));
+            for (std::size_t k = 0; k < P.nEntries(); ++k)
+            {
+                P.block(0)[k] = next();
+            }
 
-            galerkinProduct(A, P, d, dc, C);
+            galerkinProduct(blockMatrix(A, d), P, C);
 
-            const Eigen::MatrixXd right(Eigen::MatrixXd(P).transpose()*A*P);
+            const Eigen::MatrixXd whole(dense(P));
+            const Eigen::MatrixXd right(whole.transpose()*A*whole);
+            const Eigen::MatrixXd upper(C.sparse());
+            const Eigen::MatrixXd product
+            (
+                upper.selfadjointView<Eigen::Upper>()
+            );
             checkSmall
             (
-                (Eigen::MatrixXd(C) - right).norm()/right.norm(),
+                (product - right).norm()/right.norm(),
                 1e-14,
                 "coarse matrix of blocks of " + Foam::name(d)
             );
@@ -329,11 +377,72 @@ static void testProduct()
 }
 
 
+//- Modes that are smoothed by blocks are those of Eigen's general product
+static void testProlongation()
+{
+    const strip s(12, 9, 1);
+    const labelList groups(s.aggregates(2));
+    const label n = max(groups) + 1;
+    const scalar factor = 0.3;
+
+    prolongation::rowMatrix modes(s.modes);
+    const Eigen::MatrixXd coarse
+    (
+        prolongation::orthonormalise(invertOneToMany(n, groups), 2, modes)
+    );
+
+    // T in one piece
+    Eigen::MatrixXd T(Eigen::MatrixXd::Zero(s.K.rows(), 3*n));
+    forAll(groups, i)
+    {
+        T.block(2*i, 3*groups[i], 2, 3) = modes.middleRows(2*i, 2);
+    }
+    checkSmall
+    (
+        (T*coarse - s.modes).norm()/s.modes.norm(),
+        1e-14,
+        "modes of aggregates are those of the nodes"
+    );
+    checkSmall
+    (
+        (T.transpose()*T - Eigen::MatrixXd::Identity(3*n, 3*n)).norm(),
+        1e-13,
+        "they are orthonormal"
+    );
+
+    sparseMatrix invD(s.K.rows(), s.K.rows());
+    for (label i = 0; i < s.K.rows(); ++i)
+    {
+        invD.insert(i, i) = 1 + i % 3;
+    }
+    singleBlocks shortInvD;
+    shortInvD.set(blockMatrix(invD, 2));
+
+    const Eigen::MatrixXd P
+    (
+        dense
+        (
+            prolongation::smoothed
+            (
+                s.blocks,
+                shortInvD,
+                factor,
+                modes,
+                groups,
+                n
+            )
+        )
+    );
+    const Eigen::MatrixXd right(T - factor*(invD*(s.K*T)));
+    checkSmall((P - right).norm()/right.norm(), 1e-7, "smoothed modes");
+}
+
+
 static void testDirect()
 {
     const strip s(20, 5, 1);
-    aggregationMultigrid M(s.K, 2, s.modes, s.aggregates(3), 300, false);
-    M.update(s.K);
+    aggregationMultigrid M(s.blocks, s.modes, s.aggregates(3), 300, false);
+    M.update(s.blocks);
 
     testing::random next;
     Eigen::VectorXd x(s.K.rows());
@@ -357,8 +466,8 @@ static void testCycle(const bool hard)
     for (const label nx : {40, 80, 160, 320})
     {
         const strip s(nx, 8, 1);
-        aggregationMultigrid M(s.K, 2, s.modes, s.aggregates(3), 0, hard);
-        M.update(s.K);
+        aggregationMultigrid M(s.blocks, s.modes, s.aggregates(3), 0, hard);
+        M.update(s.blocks);
         most = max(most, iterations(s.K, M));
 
         check(M.nLevels() > 1, name + "levels");
@@ -370,8 +479,8 @@ static void testCycle(const bool hard)
     // Without rotation they do
     const strip s(320, 8, 1);
     const Eigen::MatrixXd shifts(s.modes.leftCols(2));
-    aggregationMultigrid poor(s.K, 2, shifts, s.aggregates(3), 0, hard);
-    poor.update(s.K);
+    aggregationMultigrid poor(s.blocks, shifts, s.aggregates(3), 0, hard);
+    poor.update(s.blocks);
     check
     (
         iterations(s.K, poor) > 2*most,
@@ -383,8 +492,8 @@ static void testCycle(const bool hard)
 static void testSymmetric()
 {
     const strip s(30, 8, 1);
-    aggregationMultigrid M(s.K, 2, s.modes, s.aggregates(3), 0, false);
-    M.update(s.K);
+    aggregationMultigrid M(s.blocks, s.modes, s.aggregates(3), 0, false);
+    M.update(s.blocks);
 
     const label n = s.K.rows();
     Eigen::MatrixXd inverse(n, n);
@@ -412,7 +521,7 @@ static void testSymmetric()
 static void testUpdate()
 {
     const strip s(60, 8, 0);
-    aggregationMultigrid M(s.K, 2, s.modes, s.aggregates(3), 0, false);
+    aggregationMultigrid M(s.blocks, s.modes, s.aggregates(3), 0, false);
 
     for (const scalar mass : {1e-8, 1e-3, 1.0, 1e3, 1e-8})
     {
@@ -421,7 +530,8 @@ static void testUpdate()
         {
             A.coeffRef(i, i) += mass;
         }
-        M.update(A);
+        const blockMatrix blocks(A, 2);
+        M.update(blocks);
         const label n = iterations(A, M);
         check(n <= 12, "mass " + Foam::name(mass) + ": few iterations");
     }
@@ -439,13 +549,20 @@ static void testFewNodes()
     {
         groups[groups.find(a)] = n + a;
     }
-    aggregationMultigrid M(s.K, 2, s.modes, groups, 0, false);
-    M.update(s.K);
+    aggregationMultigrid M(s.blocks, s.modes, groups, 0, false);
+    M.update(s.blocks);
     check(iterations(s.K, M) <= 25, "groups of one node");
 
     const strip none(0, 0, 1);
-    aggregationMultigrid empty(none.K, 2, none.modes, labelList(), 300, false);
-    empty.update(none.K);
+    aggregationMultigrid empty
+    (
+        none.blocks,
+        none.modes,
+        labelList(),
+        300,
+        false
+    );
+    empty.update(none.blocks);
     check(empty.solve(Eigen::VectorXd(0)).size() == 0, "no solid");
 }
 
@@ -457,6 +574,7 @@ int main()
     testPairwise();
     testGreedy();
     testProduct();
+    testProlongation();
     testDirect();
     testCycle(false);
     testCycle(true);

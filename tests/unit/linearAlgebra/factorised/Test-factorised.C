@@ -31,7 +31,7 @@ using namespace Foam::testing;
 
 //- Membrane of n x n nodes on springs (order 1), or a plate, its square
 //  (order 2), for which round-off is far worse
-static sparseMatrix membrane(const label n, const label order)
+static blockMatrix membrane(const label n, const label order)
 {
     std::vector<Eigen::Triplet<double>> entries;
 
@@ -61,15 +61,16 @@ static sparseMatrix membrane(const label n, const label order)
 
     // SI units of a metal over those of a velocity
     result *= 1e11;
-    result.makeCompressed();
 
-    return result;
+    return blockMatrix(result, 1);
 }
 
 
 //- Error of the energy norm, for a smooth solution; values of any size
-static scalar errorOf(const factorised& f, const sparseMatrix& A)
+static scalar errorOf(const factorised& f, const blockMatrix& blocks)
 {
+    const Eigen::MatrixXd upper(blocks.sparse());
+    const Eigen::MatrixXd A(upper.selfadjointView<Eigen::Upper>());
     Eigen::VectorXd x(A.rows());
     for (label i = 0; i < x.size(); ++i)
     {
@@ -84,12 +85,125 @@ static scalar errorOf(const factorised& f, const sparseMatrix& A)
 }
 
 
+//- Parents and sizes are those of the dense factor in the order of the tree
+static void testTree()
+{
+    const sparseMatrix A(membrane(9, 1).sparse());
+    const eliminationTree tree(A.transpose());
+    const label n = A.rows();
+
+    const Eigen::MatrixXd upper(A);
+    const Eigen::MatrixXd whole(upper.selfadjointView<Eigen::Upper>());
+    const Eigen::MatrixXd permuted
+    (
+        tree.order()*whole*tree.order().transpose()
+    );
+    const Eigen::MatrixXd L(permuted.llt().matrixL());
+
+    bool right = true;
+    scalar operations = 0;
+
+    for (label j = n - 1; j >= 0; --j)
+    {
+        label size = 0;
+        label first = -1;
+        for (label i = n - 1; i > j; --i)
+        {
+            if (mag(L(i, j)) > 0)
+            {
+                ++size;
+                first = i;
+            }
+        }
+        right = right && tree.size(j) == size && tree.parent(j) == first;
+        operations += scalar(size)*size;
+    }
+    check(right, "parents and sizes of columns");
+    checkSmall
+    (
+        mag(tree.operations() - operations),
+        1e-12,
+        "operations"
+    );
+
+    // Descendants of a column stand right before it
+    std::vector<label> nBefore(n, 0);
+    bool together = true;
+    for (label j = 0; j < n; ++j)
+    {
+        const label parent = tree.parent(j);
+        if (parent >= 0)
+        {
+            nBefore[parent] += nBefore[j] + 1;
+        }
+    }
+    for (label j = 0; j < n; ++j)
+    {
+        for (label i = j - nBefore[j]; i < j; ++i)
+        {
+            label above = i;
+            while (above >= 0 && above < j)
+            {
+                above = tree.parent(above);
+            }
+            together = together && above == j;
+        }
+    }
+    check(together, "the order is a postorder");
+}
+
+
+//- Matrices whose fronts are of all kinds
+static void testFronts()
+{
+    testing::random next;
+
+    // Two bodies, one of them dense and wider than a block of columns, and
+    // nodes of their own
+    const label n = 150;
+    std::vector<Eigen::Triplet<double>> entries;
+    for (label i = 0; i < 2*n; ++i)
+    {
+        entries.push_back({int(i), int(i), 200.0});
+        for (label j = 0; j < i && i < n; ++j)
+        {
+            const scalar value = next();
+            entries.push_back({int(i), int(j), value});
+            entries.push_back({int(j), int(i), value});
+        }
+        if (i > n + 20)
+        {
+            entries.push_back({int(i), int(i - 1), -80.0});
+            entries.push_back({int(i - 1), int(i), -80.0});
+        }
+    }
+    sparseMatrix A(2*n, 2*n);
+    A.setFromTriplets(entries.begin(), entries.end());
+
+    factorised::minShort = 500000;
+    factorised f;
+    f.set(blockMatrix(A, 2));
+
+    Eigen::VectorXd x(2*n);
+    for (label i = 0; i < x.size(); ++i)
+    {
+        x[i] = next();
+    }
+    checkSmall
+    (
+        (f.solve(A*x) - x).norm()/x.norm(),
+        1e-12,
+        "dense, slender and single"
+    );
+}
+
+
 // * * * * * * * * * * * * * * * *  Main program * * * * * * * * * * * * * * //
 
 int main()
 {
-    const sparseMatrix easy(membrane(40, 1));
-    const sparseMatrix hard(membrane(40, 4));
+    const blockMatrix easy(membrane(40, 1));
+    const blockMatrix hard(membrane(40, 4));
 
     {
         factorised f;
@@ -97,7 +211,8 @@ int main()
         checkSmall(errorOf(f, easy), 1e-10, "double precision");
         check(f.error() <= 1e-9, "double precision is known");
 
-        const sparseMatrix twice(2*easy);
+        const sparseMatrix doubled(2*easy.sparse());
+        const blockMatrix twice(doubled, 1);
         f.set(twice);
         checkSmall(errorOf(f, twice), 1e-10, "other values");
     }
@@ -121,12 +236,12 @@ int main()
     }
 
     {
-        sparseMatrix diagonal(50, 50);
+        sparseMatrix entries(50, 50);
         for (label i = 0; i < 50; ++i)
         {
-            diagonal.insert(i, i) = 2;
+            entries.insert(i, i) = 2;
         }
-        diagonal.makeCompressed();
+        const blockMatrix diagonal(entries, 1);
 
         checkSmall
         (
@@ -141,8 +256,11 @@ int main()
         );
     }
 
+    testTree();
+    testFronts();
+
     factorised none;
-    none.set(sparseMatrix(0, 0));
+    none.set(blockMatrix());
     check(none.solve(Eigen::VectorXd(0)).size() == 0, "no solid");
 
     return close();

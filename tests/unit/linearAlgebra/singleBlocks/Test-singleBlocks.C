@@ -66,17 +66,45 @@ static sparseMatrix someBlocks
 }
 
 
-static void test(const label R, const label C)
+static singleBlocks blocksOf
+(
+    const sparseMatrix& A,
+    const label R,
+    const label C
+)
 {
-    const word name("blocks of " + Foam::name(R) + " x " + Foam::name(C));
-    const sparseMatrix A(someBlocks(21, 14, R, C));
+    const Eigen::MatrixXd dense(A);
+    std::vector<label> start(1, 0);
+    std::vector<label> columns;
+    for (label i = 0; i < A.rows(); i += R)
+    {
+        for (label j = 0; j < A.cols(); j += C)
+        {
+            if (dense.block(i, j, R, C).norm() > 0)
+            {
+                columns.push_back(j/C);
+            }
+        }
+        start.push_back(columns.size());
+    }
+
+    singleBlocks S(blockPattern(R, C, A.cols()/C, start, columns));
+    for (label i = 0; i < A.rows(); ++i)
+    {
+        for (sparseMatrix::InnerIterator e(A, i); e; ++e)
+        {
+            S.block(S.place(i/R, e.col()/C))[R*(e.col() % C) + i % R] =
+                e.value();
+        }
+    }
+
+    return S;
+}
+
+
+static void test(const word& name, const sparseMatrix& A, const singleBlocks& S)
+{
     testing::random next(7);
-
-    singleBlocks S;
-
-    // Twice: the second time replaces the first
-    S.set(2*A, R, C);
-    S.set(A, R, C);
 
     Eigen::VectorXd x(A.cols()), y(A.rows());
     for (label i = 0; i < x.size(); ++i)
@@ -109,12 +137,32 @@ static void test(const label R, const label C)
 
 int main()
 {
-    test(1, 1);
-    test(2, 2);
-    test(2, 3);
-    test(3, 3);
-    test(3, 6);
-    test(6, 6);
+    for (const label size : {11, 22, 23, 33, 36, 66})
+    {
+        const label R = size/10;
+        const label C = size % 10;
+        const word name
+        (
+            "blocks of " + Foam::name(R) + " x " + Foam::name(C)
+        );
+        const sparseMatrix A(someBlocks(21, 14, R, C));
+
+        test(name, A, blocksOf(A, R, C));
+
+        if (R == C)
+        {
+            // Twice: the second time replaces the first
+            const sparseMatrix B(someBlocks(14, 14, R, R));
+            const sparseMatrix transpose(B.transpose());
+            const sparseMatrix symmetric(B + transpose);
+            const sparseMatrix twice(2*symmetric);
+            singleBlocks S;
+            S.set(blockMatrix(twice, R));
+            S.set(blockMatrix(symmetric, R));
+
+            test(name + ", copy", symmetric, S);
+        }
+    }
 
     return close();
 }

@@ -317,7 +317,7 @@ Foam::cellStiffness::cellStiffness
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 const Foam::DynamicList<Foam::cellStiffness::velocity>&
-Foam::cellStiffness::set(const label celli)
+Foam::cellStiffness::set(const label celli, const bool withBlocks)
 {
     const fluxGeometry& geometry = nodes_.geometry();
     const material& law = geometry.materials()[celli];
@@ -349,7 +349,11 @@ Foam::cellStiffness::set(const label celli)
     }
 
     linked_ = addLinks(celli);
-    if (linked_)
+    if (!withBlocks)
+    {
+        return velocities_;
+    }
+    else if (linked_)
     {
         setLinked();
     }

@@ -246,20 +246,23 @@ void Foam::cellStiffness::setLinked()
         }
     }
 
-    // Stress
+    // What resists (rows: stress, then jumps) and what it costs
+    const label nSides = sides_.size();
+    Eigen::MatrixXd strain(9 + 3*nSides, n);
+    Eigen::MatrixXd stress(9 + 3*nSides, n);
+
     const Eigen::RowVectorXd volume(G.row(0) + G.row(4) + G.row(8));
-    Eigen::MatrixXd sigma(9, n);
+    strain.topRows(9) = G;
     for (direction i = 0; i < 3; ++i)
     {
         for (direction j = 0; j < 3; ++j)
         {
-            sigma.row(3*i + j) = mu_*(G.row(3*i + j) + G.row(3*j + i));
+            stress.row(3*i + j) =
+                (V_*mu_)*(G.row(3*i + j) + G.row(3*j + i));
         }
-        sigma.row(4*i) += lambda_*volume;
+        stress.row(4*i) += (V_*lambda_)*volume;
     }
-    K_.noalias() = V_*G.transpose()*sigma;
 
-    // Jumps
     forAll(sides_, sidei)
     {
         const side& s = sides_[sidei];
@@ -271,8 +274,12 @@ void Foam::cellStiffness::setLinked()
         {
             jump -= x[i]*G.middleRows(3*i, 3);
         }
-        K_.noalias() += jump.transpose()*(convert(tensor(s.A))*jump);
+        strain.middleRows(9 + 3*sidei, 3) = jump;
+        stress.middleRows(9 + 3*sidei, 3) =
+            convert(tensor(s.A)).lazyProduct(jump);
     }
+
+    K_.noalias() = strain.transpose()*stress;
 }
 
 

@@ -28,14 +28,19 @@ License
 void Foam::operatorSmoother::setDiagonal()
 {
     const label d = stiffness_.nodes().blockSize();
-    const sparseMatrix& A = stiffness_.local();
+    const blockMatrix& A = stiffness_.local();
 
     invD_.resize(stiffness_.nodes().nOwn());
 
     for (std::size_t nodei = 0; nodei < invD_.size(); ++nodei)
     {
-        const Eigen::MatrixXd D(A.block(d*nodei, d*nodei, d, d));
-        invD_[nodei] = D.inverse();
+        const Eigen::Map<const Eigen::MatrixXd> transposed
+        (
+            A.block(A.place(nodei, nodei)),
+            d,
+            d
+        );
+        invD_[nodei] = transposed.transpose().inverse();
     }
 }
 
@@ -118,11 +123,7 @@ Foam::operatorSmoother::operatorSmoother
     op_(op),
     faces_(faces),
     stiffness_(stiffness),
-    rho_(0),
-    rest_(op.geometry().mesh().nCells(), faces.weight.size()),
-    Ax_(rest_),
-    step_(rest_),
-    change_(rest_)
+    rho_(0)
 {}
 
 
@@ -132,6 +133,13 @@ void Foam::operatorSmoother::update()
 {
     if (op_.geometry().skewed(true))
     {
+        rest_ = unifiedVector
+        (
+            op_.geometry().mesh().nCells(),
+            faces_.weight.size()
+        );
+        Ax_ = step_ = change_ = rest_;
+
         setDiagonal();
         setLargest();
     }

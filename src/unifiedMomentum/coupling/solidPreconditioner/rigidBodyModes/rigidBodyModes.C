@@ -424,25 +424,33 @@ void Foam::rigidBodyModes::setUp()
     const label nCells = nodes_.geometry().mesh().nCells();
     const label d = nodes_.blockSize();
 
-    // Not that of the operator: the same at any time step, to the last digit,
-    // so that a restart goes on bitwise
-    const stressFlux stress(op_.geometry(), true);
-
     // Links make the rows of the matrix up to four times longer. In multigrid
     // that costs more than the iterations that they save
     const bool allInOne = whole(nodes_.geometry());
     const bool ownDirect = direct(nodes_.geometry());
 
-    stiffness_.reset
-    (
-        new solidStiffness
+    // Those of an old shape first
+    own_.clear();
+    coarse_.clear();
+    smoother_.clear();
+    stiffness_.clear();
+
+    {
+        // Not that of the operator: the same at any time step, to the last
+        // digit, so that a restart goes on bitwise
+        const stressFlux stress(op_.geometry(), true, false);
+
+        stiffness_.reset
         (
-            nodes_,
-            stress,
-            allInOne || ownDirect,
-            shape_.cells.size() ? &shape_ : nullptr
-        )
-    );
+            new solidStiffness
+            (
+                nodes_,
+                stress,
+                allInOne || ownDirect,
+                shape_.cells.size() ? &shape_ : nullptr
+            )
+        );
+    }
     smoother_.reset(new operatorSmoother(op_, faces_, stiffness_()));
 
     // Without inertia and fluid
@@ -476,7 +484,6 @@ void Foam::rigidBodyModes::setUp()
         new aggregationMultigrid
         (
             stiffness_().local(),
-            d,
             B,
             aggregates(d == 3 ? 4 : 3),
             ownDirect ? B.rows() : d*maxDirect(nodes_.geometry()),

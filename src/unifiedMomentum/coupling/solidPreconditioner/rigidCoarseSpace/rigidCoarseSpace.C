@@ -117,20 +117,20 @@ void Foam::rigidCoarseSpace::extendModes()
 
 void Foam::rigidCoarseSpace::setPairs()
 {
-    const std::vector<label>& start = stiffness_.start();
-    const std::vector<label>& columns = stiffness_.columns();
-
+    const blockMatrix& A = stiffness_.matrix();
     std::map<std::pair<label, label>, label> number;
     DynamicList<labelPair> pairs;
 
-    pairOfBlock_.resize(columns.size());
+    pairOfBlock_.resize(A.nBlocks());
 
-    for (label nodei = 0; nodei < stiffness_.nodes().nAll(); ++nodei)
+    for (label nodei = 0; nodei < A.nRows(); ++nodei)
     {
-        for (label place = start[nodei]; place < start[nodei + 1]; ++place)
+        for (label place = A.start(nodei); place < A.start(nodei + 1); ++place)
         {
-            const label a = aggregate_[nodei];
-            const label b = aggregate_[columns[place]];
+            const label a =
+                min(aggregate_[nodei], aggregate_[A.column(place)]);
+            const label b =
+                max(aggregate_[nodei], aggregate_[A.column(place)]);
             const auto found = number.insert({{a, b}, pairs.size()});
 
             if (found.second)
@@ -197,33 +197,24 @@ void Foam::rigidCoarseSpace::update()
     const label d = stiffness_.nodes().blockSize();
     const label nModes = modes_.cols();
     const label size = nModes*nModes;
-    const std::vector<label>& start = stiffness_.start();
-    const sparseMatrix& A = stiffness_.matrix();
+    const blockMatrix& A = stiffness_.matrix();
 
     List<scalarField> values(Pstream::nProcs());
     scalarField& own = values[Pstream::myProcNo()];
     own.setSize(size*pairs_[Pstream::myProcNo()].size(), 0);
 
-    Eigen::MatrixXd block(d, d);
-
-    for (label nodei = 0; nodei < stiffness_.nodes().nAll(); ++nodei)
+    for (label nodei = 0; nodei < A.nRows(); ++nodei)
     {
         const Eigen::MatrixXd Zi(modes_.middleRows(d*nodei, d).transpose());
 
-        for (label place = start[nodei]; place < start[nodei + 1]; ++place)
+        for (label place = A.start(nodei); place < A.start(nodei + 1); ++place)
         {
-            const label nodej = stiffness_.columns()[place];
-
-            for (label k = 0; k < d; ++k)
-            {
-                const label entry =
-                    A.outerIndexPtr()[d*nodei + k] + d*(place - start[nodei]);
-
-                for (label l = 0; l < d; ++l)
-                {
-                    block(k, l) = A.valuePtr()[entry + l];
-                }
-            }
+            const Eigen::Map<const Eigen::MatrixXd> transposed
+            (
+                A.block(place),
+                d,
+                d
+            );
 
             Eigen::Map<Eigen::MatrixXd> sum
             (
@@ -231,7 +222,25 @@ void Foam::rigidCoarseSpace::update()
                 nModes,
                 nModes
             );
-            sum.noalias() += Zi*block*modes_.middleRows(d*nodej, d);
+            const label nodej = A.column(place);
+            const Eigen::MatrixXd product
+            (
+                Zi*transposed.transpose()*modes_.middleRows(d*nodej, d)
+            );
+
+            // The lower half of A has the transposed
+            if (aggregate_[nodei] <= aggregate_[nodej])
+            {
+                sum += product;
+            }
+            if
+            (
+                aggregate_[nodei] > aggregate_[nodej]
+             || (aggregate_[nodei] == aggregate_[nodej] && nodei != nodej)
+            )
+            {
+                sum += product.transpose();
+            }
         }
     }
 
@@ -269,9 +278,8 @@ void Foam::rigidCoarseSpace::update()
             coarse.coeffRef(i, i) = 1;
         }
     }
-    coarse.makeCompressed();
 
-    coarse_.set(coarse);
+    coarse_.set(blockMatrix(coarse, nModes));
 }
 
 

@@ -35,26 +35,25 @@ void Foam::solidStiffness::setLocal()
     const label d = directions.size();
 
     // Columns of own nodes come first in each row
-    for (label row = 0; row < local_.rows(); ++row)
+    for (label nodei = 0; nodei < local_.nRows(); ++nodei)
     {
-        const double* from = matrix_.valuePtr() + matrix_.outerIndexPtr()[row];
-        double* to = local_.valuePtr() + local_.outerIndexPtr()[row];
-        const label n =
-            local_.outerIndexPtr()[row + 1] - local_.outerIndexPtr()[row];
+        const label n = local_.start(nodei + 1) - local_.start(nodei);
+        const double* from = matrix_.block(matrix_.start(nodei));
 
-        std::copy(from, from + n, to);
+        std::copy(from, from + d*d*n, local_.block(local_.start(nodei)));
     }
 
     // What other processes add to the diagonal
     tensorField diagonal(nodes_.nAll(), Zero);
     for (label nodei = nodes_.nOwn(); nodei < nodes_.nAll(); ++nodei)
     {
+        const double* block = matrix_.block(matrix_.place(nodei, nodei));
+
         for (label k = 0; k < d; ++k)
         {
             for (label l = 0; l < d; ++l)
             {
-                diagonal[nodei](directions[k], directions[l]) =
-                    matrix_.coeff(d*nodei + k, d*nodei + l);
+                diagonal[nodei](directions[k], directions[l]) = block[d*k + l];
             }
         }
     }
@@ -65,11 +64,13 @@ void Foam::solidStiffness::setLocal()
     {
         if (mag(diagonal[nodei]) > 0)
         {
+            double* block = local_.block(local_.place(nodei, nodei));
+
             for (label k = 0; k < d; ++k)
             {
                 for (label l = 0; l < d; ++l)
                 {
-                    local_.coeffRef(d*nodei + k, d*nodei + l) +=
+                    block[d*k + l] +=
                         diagonal[nodei](directions[k], directions[l]);
                 }
             }
@@ -87,7 +88,8 @@ void Foam::solidStiffness::multiply
 ) const
 {
     nodes_.extend(x);
-    y = matrix_*x;
+    y.setZero(x.size());
+    matrix_.add(1, x, y);
     nodes_.collect(y);
 }
 

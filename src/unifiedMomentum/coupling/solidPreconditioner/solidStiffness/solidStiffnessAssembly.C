@@ -25,38 +25,17 @@ License
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::label Foam::solidStiffness::place
-(
-    const label nodei,
-    const label nodej
-) const
-{
-    const auto first = columns_.begin() + start_[nodei];
-    const auto last = columns_.begin() + start_[nodei + 1];
-
-    return std::lower_bound(first, last, nodej) - columns_.begin();
-}
-
-
 template<class Block>
-void Foam::solidStiffness::add
-(
-    const label nodei,
-    const label place,
-    const Block& block,
-    double* values
-) const
+void Foam::solidStiffness::add(const label place, const Block& block)
 {
     const label d = nodes_.blockSize();
-    const label rowSize = d*(start_[nodei + 1] - start_[nodei]);
-
-    double* row = values + d*d*start_[nodei] + d*(place - start_[nodei]);
+    double* values = matrix_.block(place);
 
     for (label k = 0; k < d; ++k)
     {
         for (label l = 0; l < d; ++l)
         {
-            row[k*rowSize + l] += block(k, l);
+            values[d*k + l] += block(k, l);
         }
     }
 }
@@ -78,7 +57,7 @@ void Foam::solidStiffness::setPattern(cellStiffness& cell)
     for (const label celli : nodes_.geometry().cellsAndFaces(true).cells)
     {
         nodes.clear();
-        for (const cellStiffness::velocity& v : cell.set(celli))
+        for (const cellStiffness::velocity& v : cell.set(celli, false))
         {
             if (v.node >= 0)
             {
@@ -91,23 +70,37 @@ void Foam::solidStiffness::setPattern(cellStiffness& cell)
         }
     }
 
-    start_.assign(1, 0);
-    columns_.clear();
+    const auto pattern = [&](const label nRows)
+    {
+        std::vector<label> start(1, 0);
+        std::vector<label> columns;
+
+        for (label nodei = 0; nodei < nRows; ++nodei)
+        {
+            const std::vector<label>& row = rows[nodei];
+            columns.insert
+            (
+                columns.end(),
+                std::lower_bound(row.begin(), row.end(), nodei),
+                std::lower_bound(row.begin(), row.end(), nRows)
+            );
+            start.push_back(columns.size());
+        }
+
+        return blockPattern(d, d, nRows, start, columns);
+    };
 
     for (std::vector<label>& row : rows)
     {
         std::sort(row.begin(), row.end());
         row.erase(std::unique(row.begin(), row.end()), row.end());
-        columns_.insert(columns_.end(), row.begin(), row.end());
-        start_.push_back(columns_.size());
     }
 
-    matrix_ = blockPattern(d, n, start_, columns_, n);
+    matrix_ = blockMatrix(pattern(n));
 
     if (nodes_.exchanges())
     {
-        const label nOwn = nodes_.nOwn();
-        local_ = blockPattern(d, nOwn, start_, columns_, nOwn);
+        local_ = blockMatrix(pattern(nodes_.nOwn()));
     }
 }
 
@@ -145,14 +138,15 @@ void Foam::solidStiffness::setSlipNodes()
         )
         {
             const label nodei = nodes_.ofFace(i);
+            const label place = matrix_.place(nodei, nodei);
             scalar size = 0;
             for (label k = 0; k < d; ++k)
             {
-                size += matrix_.coeff(d*nodei + k, d*nodei + k);
+                size += matrix_.block(place)[(d + 1)*k];
             }
 
             reduce(tensor(size*sqr(geometry.n(true)[facei])), K);
-            add(nodei, place(nodei, nodei), K, matrix_.valuePtr());
+            add(place, K);
             slipNodes_.append(i);
         }
     }
@@ -193,7 +187,11 @@ void Foam::solidStiffness::setValues(cellStiffness& cell)
                     (v[i].node < 0 && v[i].face < 0)
                  || (v[j].node < 0 && v[j].face < 0);
 
-                if (given || (v[i].node >= 0 && v[j].face >= 0))
+                const bool lower =
+                    v[i].node >= 0
+                 && (v[j].face >= 0 || v[j].node < v[i].node);
+
+                if (given || lower)
                 {
                     continue;
                 }
@@ -202,13 +200,7 @@ void Foam::solidStiffness::setValues(cellStiffness& cell)
 
                 if (v[i].node >= 0)
                 {
-                    add
-                    (
-                        v[i].node,
-                        place(v[i].node, v[j].node),
-                        K,
-                        matrix_.valuePtr()
-                    );
+                    add(matrix_.place(v[i].node, v[j].node), K);
                 }
                 else if (v[j].node >= 0)
                 {
@@ -255,7 +247,10 @@ void Foam::solidStiffness::setValues(cellStiffness& cell)
         {
             for (const label nodej : nodes)
             {
-                f.places.append(place(nodei, nodej));
+                if (nodei <= nodej)
+                {
+                    f.places.append(matrix_.place(nodei, nodej));
+                }
             }
         }
         f.faces.transfer(faces);
@@ -271,37 +266,28 @@ void Foam::solidStiffness::setValues(cellStiffness& cell)
 template<class Action>
 void Foam::solidStiffness::forChanged(const Action& action)
 {
-    const label d = nodes_.blockSize();
+    const label size = nodes_.blockSize()*nodes_.blockSize();
 
-    const auto actOn = [&](const label nodei, const label place)
+    const auto actOn = [&](const label place)
     {
-        const label rowSize = d*(start_[nodei + 1] - start_[nodei]);
-        double* row =
-            matrix_.valuePtr() + d*d*start_[nodei] + d*(place - start_[nodei]);
+        double* block = matrix_.block(place);
 
-        for (label k = 0; k < d; ++k)
+        for (label k = 0; k < size; ++k)
         {
-            for (label l = 0; l < d; ++l)
-            {
-                action(row[k*rowSize + l]);
-            }
+            action(block[k]);
         }
     };
 
     for (label nodei = 0; nodei < nodes_.nAll(); ++nodei)
     {
-        actOn(nodei, place(nodei, nodei));
+        actOn(matrix_.place(nodei, nodei));
     }
 
     for (const freeFaces& f : free_)
     {
-        label pair = 0;
-        for (const label nodei : f.nodes)
+        for (const label place : f.places)
         {
-            for (label j = 0; j < f.nodes.size(); ++j)
-            {
-                actOn(nodei, f.places[pair++]);
-            }
+            actOn(place);
         }
     }
 }
@@ -351,14 +337,13 @@ void Foam::solidStiffness::update
 {
     const DynamicList<direction>& directions = nodes_.directions();
     const label d = directions.size();
-    double* values = matrix_.valuePtr();
 
     restoreBase();
 
     const auto addDiagonal = [&](const label nodei, const vector& diagonal)
     {
         const Eigen::MatrixXd block(nodes_.reduced(diagonal).asDiagonal());
-        add(nodei, place(nodei, nodei), block, values);
+        add(matrix_.place(nodei, nodei), block);
     };
 
     for (const label celli : nodes_.geometry().cellsAndFaces(true).cells)
@@ -392,13 +377,10 @@ void Foam::solidStiffness::update
         {
             forAll(f.nodes, j)
             {
-                add
-                (
-                    f.nodes[i],
-                    f.places[pair++],
-                    K.block(d*i, d*j, d, d),
-                    values
-                );
+                if (f.nodes[i] <= f.nodes[j])
+                {
+                    add(f.places[pair++], K.block(d*i, d*j, d, d));
+                }
             }
         }
     }
