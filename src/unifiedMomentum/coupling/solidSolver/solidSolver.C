@@ -55,6 +55,14 @@ Foam::vector2D Foam::solidSolver::dot
 }
 
 
+Foam::scalar Foam::solidSolver::energy(const unifiedVector& v)
+{
+    op_.applySolid(v, faces_.fluidSide, y_);
+
+    return dot(v, y_, y_).x();
+}
+
+
 void Foam::solidSolver::choosePreconditioner()
 {
     const word name
@@ -87,7 +95,7 @@ void Foam::solidSolver::conjugateGradients
     // Flexible: solvers of the preconditioner may stop by a tolerance
     preconditioner_->apply(r_, s_);
     scalar rs = dot(r_, s_, oldS_).x();
-    const scalar target = sqr(tolerance)*rs;
+    const scalar target = max(sqr(tolerance)*rs, enough_);
     d_ = s_;
 
     // A small residual says little about bending, what the iterations
@@ -98,7 +106,7 @@ void Foam::solidSolver::conjugateGradients
     {
         return
             nIterations > preconditioner_->nTrusted()
-         && nIterations*max(gains) > tolerance*energy;
+         && nIterations*max(gains) > max(tolerance*energy, enough_);
     };
 
     while ((rs > target || bends()) && rs > VSMALL && nIterations < maxIter)
@@ -173,6 +181,7 @@ Foam::solidSolver::solidSolver
     y_(x_),
     s_(x_),
     oldS_(x_),
+    enough_(0),
     warned_(false)
 {}
 
@@ -232,6 +241,33 @@ void Foam::solidSolver::update()
     {
         preconditioner_->update();
     }
+}
+
+
+void Foam::solidSolver::setEnough
+(
+    const scalar tolerance,
+    const unifiedVector& z,
+    const momentumFlux::displacementVelocity& star
+)
+{
+    choosePreconditioner();
+
+    // What solves at once need not know, one without bending must not
+    if (preconditioner_->nTrusted() == 0 || preconditioner_->error() < 1)
+    {
+        return;
+    }
+
+    unifiedVector elastic(z);
+    elastic.U = star.cells;
+    forAll(elastic.Uf, i)
+    {
+        elastic.Uf[i] = star.faces[op_.geometry().unknownFaces()[i]];
+    }
+
+    enough_ =
+        sqr(0.3*tolerance)*max(energy(z), sqr(1e-3)*energy(elastic));
 }
 
 
@@ -300,6 +336,8 @@ Foam::label Foam::solidSolver::solve
             Info<< "    solid iterations " << nIterations << endl;
         }
     }
+
+    enough_ = 0;
 
     for (const label celli : solid.cells)
     {
