@@ -55,14 +55,6 @@ Foam::vector2D Foam::solidSolver::dot
 }
 
 
-Foam::scalar Foam::solidSolver::energy(const unifiedVector& v)
-{
-    op_.applySolid(v, faces_.fluidSide, y_);
-
-    return dot(v, y_, y_).x();
-}
-
-
 void Foam::solidSolver::choosePreconditioner()
 {
     const word name
@@ -247,27 +239,17 @@ void Foam::solidSolver::update()
 void Foam::solidSolver::setEnough
 (
     const scalar tolerance,
-    const unifiedVector& z,
-    const momentumFlux::displacementVelocity& star
+    const unifiedVector& z
 )
 {
     choosePreconditioner();
 
     // What solves at once need not know, one without bending must not
-    if (preconditioner_->nTrusted() == 0 || preconditioner_->error() < 1)
+    if (preconditioner_->nTrusted() > 0 && preconditioner_->error() > 1)
     {
-        return;
+        op_.applySolid(z, faces_.fluidSide, y_);
+        enough_ = sqr(0.3*tolerance)*dot(z, y_, y_).x();
     }
-
-    unifiedVector elastic(z);
-    elastic.U = star.cells;
-    forAll(elastic.Uf, i)
-    {
-        elastic.Uf[i] = star.faces[op_.geometry().unknownFaces()[i]];
-    }
-
-    enough_ =
-        sqr(0.3*tolerance)*max(energy(z), sqr(1e-3)*energy(elastic));
 }
 
 

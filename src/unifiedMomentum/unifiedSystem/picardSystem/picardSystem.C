@@ -212,12 +212,7 @@ void Foam::picardSystem::solve()
     {
         residuals_.weigh(zOld_, z_, r_);
         failure_.checkFinite(r_);
-        sweep_.setEnough
-        (
-            controls_.tolerance()[blockResiduals::SOLID],
-            z_,
-            known_.D
-        );
+        sweep_.setEnough(controls_.tolerance()[blockResiduals::SOLID], z_);
 
         const flexibleGMRES::performance perf = krylov_.solve(*this, z_, r_);
 
