@@ -87,7 +87,7 @@ void Foam::solidSolver::conjugateGradients
     // Flexible: solvers of the preconditioner may stop by a tolerance
     preconditioner_->apply(r_, s_);
     scalar rs = dot(r_, s_, oldS_).x();
-    const scalar target = max(sqr(tolerance)*rs, enough_);
+    const scalar target = sqr(tolerance)*rs;
     d_ = s_;
 
     // A small residual says little about bending, what the iterations
@@ -98,7 +98,7 @@ void Foam::solidSolver::conjugateGradients
     {
         return
             nIterations > preconditioner_->nTrusted()
-         && nIterations*max(gains) > max(tolerance*energy, enough_);
+         && nIterations*max(gains) > tolerance*energy;
     };
 
     while ((rs > target || bends()) && rs > VSMALL && nIterations < maxIter)
@@ -173,7 +173,6 @@ Foam::solidSolver::solidSolver
     y_(x_),
     s_(x_),
     oldS_(x_),
-    enough_(0),
     warned_(false)
 {}
 
@@ -232,23 +231,6 @@ void Foam::solidSolver::update()
     if (preconditioner_)
     {
         preconditioner_->update();
-    }
-}
-
-
-void Foam::solidSolver::setEnough
-(
-    const scalar tolerance,
-    const unifiedVector& z
-)
-{
-    choosePreconditioner();
-
-    // What solves at once need not know, one without bending must not
-    if (preconditioner_->nTrusted() > 0 && preconditioner_->error() > 1)
-    {
-        op_.applySolid(z, faces_.fluidSide, y_);
-        enough_ = sqr(0.3*tolerance)*dot(z, y_, y_).x();
     }
 }
 
@@ -318,8 +300,6 @@ Foam::label Foam::solidSolver::solve
             Info<< "    solid iterations " << nIterations << endl;
         }
     }
-
-    enough_ = 0;
 
     for (const label celli : solid.cells)
     {

@@ -213,12 +213,6 @@ void Foam::picardSystem::solve()
         residuals_.weigh(zOld_, z_, r_);
         failure_.checkFinite(r_);
 
-        // Newton's method lives on the digits of its linear solutions
-        if (!newton_.active())
-        {
-            sweep_.setEnough(controls_.tolerance()[blockResiduals::SOLID], z_);
-        }
-
         const flexibleGMRES::performance perf = krylov_.solve(*this, z_, r_);
 
         // One step from the true residual does not drift

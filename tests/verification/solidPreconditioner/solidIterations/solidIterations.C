@@ -274,11 +274,6 @@ int main(int argc, char *argv[])
         solidSolver solver(op, block, ownSide, neiSide);
         solver.update();
         run(solver, "rigidBodyModes", "multigrid");
-
-        // A hundredth of the solution is enough, in the next solution only
-        solver.setEnough(0.01/0.3, exact);
-        run(solver, "rigidBodyModes", "enough");
-        run(solver, "rigidBodyModes", "again");
     }
 
     Info<< endl;
