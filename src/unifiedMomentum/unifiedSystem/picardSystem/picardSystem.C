@@ -204,9 +204,10 @@ void Foam::picardSystem::solve()
     newton_.prepare(z_);
 
     // The residual that the Krylov method updates drifts from the true one by
-    // round-off; where that matters, it is started again. Where it is not
-    // linear, the next Picard iteration does that
-    const label nStarts = newton_.active() ? 1 : 3;
+    // round-off, and levels of enclosed fluids are corrected after it; where
+    // that matters, it is started again. Where it is not linear, the next
+    // Picard iteration does that
+    const label nStarts = newton_.active() ? 1 : 10;
 
     for (label start = 0; start < nStarts; ++start)
     {
