@@ -21,62 +21,6 @@ License
 
 #include "picardSystem.H"
 
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-void Foam::picardSystem::takeIfBetter(const unifiedVector& z)
-{
-    unifiedVector r(r_);
-    op_.residual(z, known_, r);
-
-    if
-    (
-        returnReduce(localDot(r, r), sumOp<scalar>())
-      < returnReduce(localDot(r_, r_), sumOp<scalar>())
-     && !newton_.insideOut()
-    )
-    {
-        z_ = z;
-        r_ = r;
-    }
-    else if (newton_.active())
-    {
-        // The tangent is that of the last residual
-        updateResidual();
-    }
-}
-
-
-void Foam::picardSystem::takeRestIfBetter()
-{
-    const fluxGeometry& geometry = op_.geometry();
-    const fluxGeometry::zone& solid = geometry.cellsAndFaces(true);
-    unifiedVector rest(z_);
-
-    UIndirectList<vector>(rest.U, solid.cells) = vector::zero;
-    for (const label facei : solid.ownSides)
-    {
-        const label i = geometry.unknownIndex()[facei];
-        if (i >= 0)
-        {
-            rest.Uf[i] = Zero;
-        }
-    }
-
-    // Every interface has a solid, if only on another process
-    forAll(geometry.unknownFaces(), i)
-    {
-        const label facei = geometry.unknownFaces()[i];
-
-        if (geometry.kind(facei) == fluxGeometry::INTERFACE)
-        {
-            rest.Uf[i] = Zero;
-        }
-    }
-
-    takeIfBetter(rest);
-}
-
-
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::picardSystem::picardSystem
@@ -158,34 +102,62 @@ void Foam::picardSystem::updateResidual()
 }
 
 
-void Foam::picardSystem::startFrom(const unifiedVector& z)
+void Foam::picardSystem::takeIfBetter(const unifiedVector& z)
+{
+    unifiedVector r(r_);
+    op_.residual(z, known_, r);
+
+    if
+    (
+        returnReduce(localDot(r, r), sumOp<scalar>())
+      < returnReduce(localDot(r_, r_), sumOp<scalar>())
+     && !newton_.insideOut()
+    )
+    {
+        z_ = z;
+        r_ = r;
+    }
+    else if (newton_.active())
+    {
+        // The tangent is that of the last residual
+        updateResidual();
+    }
+}
+
+
+void Foam::picardSystem::takeRestIfBetter()
 {
     if (!newton_.active())
     {
-        op_.residual(z, known_, r_);
-        residuals_.weigh(zOld_, z, r_);
-
-        // Small against what changes in the step: not worth the residual of
-        // the old velocity
-        bool close = true;
-        for (const scalar residual : residuals_.relative())
-        {
-            close = close && residual < 0.1;
-        }
-        if (close)
-        {
-            z_ = z;
-            return;
-        }
+        return;
     }
 
-    updateResidual();
-    takeIfBetter(z);
+    const fluxGeometry& geometry = op_.geometry();
+    const fluxGeometry::zone& solid = geometry.cellsAndFaces(true);
+    unifiedVector rest(z_);
 
-    if (newton_.active())
+    UIndirectList<vector>(rest.U, solid.cells) = vector::zero;
+    for (const label facei : solid.ownSides)
     {
-        takeRestIfBetter();
+        const label i = geometry.unknownIndex()[facei];
+        if (i >= 0)
+        {
+            rest.Uf[i] = Zero;
+        }
     }
+
+    // Every interface has a solid, if only on another process
+    forAll(geometry.unknownFaces(), i)
+    {
+        const label facei = geometry.unknownFaces()[i];
+
+        if (geometry.kind(facei) == fluxGeometry::INTERFACE)
+        {
+            rest.Uf[i] = Zero;
+        }
+    }
+
+    takeIfBetter(rest);
 }
 
 

@@ -167,6 +167,7 @@ void Foam::unifiedSystem::freeze()
     }
 
     system_.update(fields_.phi());
+    system_.updateResidual();
 }
 
 
@@ -190,7 +191,10 @@ void Foam::unifiedSystem::extrapolate()
     fields_.fromUnknowns(flux_.geometry(), system_.z());
     patches_.correct();
     freeze();
-    system_.startFrom(z);
+
+    // An extrapolation over a sudden change would start further off
+    system_.takeIfBetter(z);
+    system_.takeRestIfBetter();
 }
 
 
@@ -320,7 +324,6 @@ void Foam::unifiedSystem::predict()
         }
         startPatches();
         freeze();
-        system_.updateResidual();
     }
 
     scheme_.setHaveOldOld(true);
@@ -340,7 +343,6 @@ bool Foam::unifiedSystem::picard()
         takeUnknowns();
         flux_.updateBoundary(fields_.U(), fields_.p());
         freeze();
-        system_.updateResidual();
 
         if (system_.passes())
         {
