@@ -106,12 +106,23 @@ void Foam::rigidCoarseSpace::extendModes()
     for (label m = 0; m < modes_.cols(); ++m)
     {
         Eigen::VectorXd mode(modes_.col(m));
-        nodes.extend(mode);
+        nodes.exchange().extend(nodes.blockSize(), mode);
         all.col(m) = mode;
     }
 
     modes_ = all;
-    aggregate_ = nodes.extend(aggregate_);
+
+    Eigen::VectorXd numbers(nodes.nOwn());
+    forAll(aggregate_, nodei)
+    {
+        numbers[nodei] = aggregate_[nodei];
+    }
+    nodes.exchange().extend(1, numbers);
+    aggregate_.setSize(nodes.nAll());
+    forAll(aggregate_, nodei)
+    {
+        aggregate_[nodei] = label(numbers[nodei]);
+    }
 }
 
 

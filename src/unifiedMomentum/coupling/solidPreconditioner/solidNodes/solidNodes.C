@@ -85,7 +85,8 @@ void Foam::solidNodes::setBeyond()
     const label nInternal = mesh.nInternalFaces();
     const label nBoundary = mesh.nFaces() - nInternal;
 
-    nAll_ = nOwn_;
+    const globalIndex numbers(nOwn_);
+    exchange_ = nodeExchange(numbers, labelList());
 
     if (!geometry_.anyCoupled())
     {
@@ -117,12 +118,17 @@ void Foam::solidNodes::setBeyond()
         }
     }
 
-    labelField beyondNode(node);
-    labelField process(nBoundary, Pstream::myProcNo());
-    geometry_.swap(beyondNode);
-    geometry_.swap(process);
+    beyond_.setSize(nBoundary, -1);
+    labelField number(nBoundary, -1);
+    forAll(number, i)
+    {
+        if (node[i] >= 0)
+        {
+            number[i] = numbers.toGlobal(node[i]);
+        }
+    }
+    geometry_.swap(number);
 
-    beyond_.transfer(beyondNode);
     rotation_.setSize(nBoundary, tensor::I);
     for (direction k = 0; k < vector::nComponents; ++k)
     {
@@ -140,26 +146,30 @@ void Foam::solidNodes::setBeyond()
         }
     }
 
-    DynamicList<coupledFace> faces;
-    for (label i = 0; i < nBoundary; ++i)
+    // Several faces may have the same node beyond
+    Map<label> placed;
+    DynamicList<label> numbersBeyond;
+    forAll(beyond_, i)
     {
-        if (!shared.test(i))
+        if (!shared.test(i) || number[i] < 0)
         {
-            beyond_[i] = -1;
+            continue;
         }
-        else if (process[i] != Pstream::myProcNo())
+        else if (numbers.isLocal(number[i]))
         {
-            // The exchange rotates
-            rotation_[i] = tensor::I;
-            if (beyond_[i] >= 0)
+            beyond_[i] = numbers.toLocal(number[i]);
+        }
+        else
+        {
+            if (placed.insert(number[i], nOwn_ + numbersBeyond.size()))
             {
-                beyond_[i] = nAll_++;
+                numbersBeyond.append(number[i]);
             }
-            faces.append(coupledFace{nInternal + i, node[i], beyond_[i]});
+            beyond_[i] = placed[number[i]];
         }
     }
-    coupledFaces_.transfer(faces);
-    exchanges_ = returnReduce(coupledFaces_.size() > 0, orOp<bool>());
+
+    exchange_ = nodeExchange(numbers, numbersBeyond);
 }
 
 
@@ -208,11 +218,9 @@ Foam::solidNodes::solidNodes
     geometry_(geometry),
     directions_(),
     nOwn_(0),
-    nAll_(0),
     cellNode_(geometry.mesh().nCells(), -1),
     faceNode_(geometry.unknownFaces().size(), -1),
     free_(faceNode_.size(), false),
-    exchanges_(false),
     sharesFaces_(false)
 {
     for (direction k = 0; k < vector::nComponents; ++k)

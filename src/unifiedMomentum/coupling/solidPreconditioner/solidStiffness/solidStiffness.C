@@ -26,13 +26,12 @@ License
 
 void Foam::solidStiffness::setLocal()
 {
-    if (!nodes_.exchanges())
+    if (!nodes_.exchange().any())
     {
         return;
     }
 
-    const DynamicList<direction>& directions = nodes_.directions();
-    const label d = directions.size();
+    const label d = nodes_.blockSize();
 
     // Columns of own nodes come first in each row
     for (label nodei = 0; nodei < local_.nRows(); ++nodei)
@@ -44,36 +43,22 @@ void Foam::solidStiffness::setLocal()
     }
 
     // What other processes add to the diagonal
-    tensorField diagonal(nodes_.nAll(), Zero);
+    Eigen::VectorXd diagonal(Eigen::VectorXd::Zero(d*d*nodes_.nAll()));
     for (label nodei = nodes_.nOwn(); nodei < nodes_.nAll(); ++nodei)
     {
         const double* block = matrix_.block(matrix_.place(nodei, nodei));
-
-        for (label k = 0; k < d; ++k)
-        {
-            for (label l = 0; l < d; ++l)
-            {
-                diagonal[nodei](directions[k], directions[l]) = block[d*k + l];
-            }
-        }
+        std::copy(block, block + d*d, diagonal.data() + d*d*nodei);
     }
 
-    nodes_.collect(diagonal);
+    nodes_.exchange().collect(d*d, diagonal);
 
-    forAll(diagonal, nodei)
+    for (label nodei = 0; nodei < nodes_.nOwn(); ++nodei)
     {
-        if (mag(diagonal[nodei]) > 0)
-        {
-            double* block = local_.block(local_.place(nodei, nodei));
+        double* block = local_.block(local_.place(nodei, nodei));
 
-            for (label k = 0; k < d; ++k)
-            {
-                for (label l = 0; l < d; ++l)
-                {
-                    block[d*k + l] +=
-                        diagonal[nodei](directions[k], directions[l]);
-                }
-            }
+        for (label k = 0; k < d*d; ++k)
+        {
+            block[k] += diagonal[d*d*nodei + k];
         }
     }
 }
@@ -87,10 +72,10 @@ void Foam::solidStiffness::multiply
     Eigen::VectorXd& y
 ) const
 {
-    nodes_.extend(x);
+    nodes_.exchange().extend(nodes_.blockSize(), x);
     y.setZero(x.size());
     matrix_.add(1, x, y);
-    nodes_.collect(y);
+    nodes_.exchange().collect(nodes_.blockSize(), y);
 }
 
 
@@ -123,7 +108,7 @@ void Foam::solidStiffness::eliminate
         }
     }
 
-    nodes_.collect(rc);
+    nodes_.exchange().collect(d, rc);
 }
 
 
@@ -137,7 +122,7 @@ void Foam::solidStiffness::expand
     const label d = nodes_.blockSize();
 
     nodes_.fromNodes(x, v);
-    nodes_.extend(x);
+    nodes_.exchange().extend(nodes_.blockSize(), x);
 
     // No equation would take back what round-off leaves across slip faces
     const fluxGeometry& geometry = nodes_.geometry();

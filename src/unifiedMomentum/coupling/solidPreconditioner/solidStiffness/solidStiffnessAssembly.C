@@ -98,7 +98,7 @@ void Foam::solidStiffness::setPattern(cellStiffness& cell)
 
     matrix_ = blockMatrix(pattern(n));
 
-    if (nodes_.exchanges())
+    if (nodes_.exchange().any())
     {
         local_ = blockMatrix(pattern(nodes_.nOwn()));
     }
