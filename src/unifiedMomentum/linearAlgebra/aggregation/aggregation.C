@@ -261,10 +261,11 @@ Foam::labelList Foam::aggregation::pairwise
 Foam::labelList Foam::aggregation::greedy
 (
     const blockMatrix& A,
-    const scalar threshold
+    const scalar threshold,
+    label n
 )
 {
-    const label n = A.nRows();
+    n = n < 0 ? A.nRows() : n;
     const label size = A.blockRows()*A.blockCols();
 
     const auto norm = [&](const label place)
@@ -291,7 +292,7 @@ Foam::labelList Foam::aggregation::greedy
             const label j = A.column(b);
             if
             (
-                i != j
+                i != j && j < n
              && norm(b) > threshold*Foam::sqrt(diagonal[i]*diagonal[j])
             )
             {

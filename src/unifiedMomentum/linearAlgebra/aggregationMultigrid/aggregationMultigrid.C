@@ -21,8 +21,118 @@ License
 
 
 #include "aggregationMultigrid.H"
+#include "PstreamReduceOps.H"
+#include "scalarField.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::blockMatrix Foam::aggregationMultigrid::whole(const level& l) const
+{
+    return l.nodes.any() ? l.nodes.gather(matrix(l)) : matrix(l);
+}
+
+
+Foam::scalar Foam::aggregationMultigrid::sum(const scalar value) const
+{
+    return
+        levels_.front().nodes.any()
+      ? returnReduce(value, sumOp<scalar>())
+      : value;
+}
+
+
+void Foam::aggregationMultigrid::addProduct
+(
+    const level& l,
+    const double factor,
+    const Eigen::VectorXd& x,
+    Eigen::VectorXd& y
+) const
+{
+    if (!l.nodes.any())
+    {
+        l.shortA.add(factor, x, y);
+        return;
+    }
+
+    const label d = l.shortA.blockRows();
+    Eigen::VectorXd all(x);
+    l.nodes.extend(d, all);
+    Eigen::VectorXd product(Eigen::VectorXd::Zero(all.size()));
+    l.shortA.add(factor, all, product);
+    l.nodes.collect(d, product);
+    y += product;
+}
+
+
+Eigen::VectorXd Foam::aggregationMultigrid::restrict
+(
+    const level& l,
+    const level& next,
+    const Eigen::VectorXd& r
+) const
+{
+    Eigen::VectorXd coarse(Eigen::VectorXd::Zero(l.P.cols()));
+
+    if (!l.nodes.any())
+    {
+        l.P.addTransposed(r, coarse);
+        return coarse;
+    }
+
+    Eigen::VectorXd all(Eigen::VectorXd::Zero(l.P.rows()));
+    all.head(r.size()) = r;
+    l.P.addTransposed(all, coarse);
+    next.nodes.collect(l.P.blockCols(), coarse);
+
+    return coarse;
+}
+
+
+void Foam::aggregationMultigrid::prolong
+(
+    const level& l,
+    const level& next,
+    Eigen::VectorXd correction,
+    Eigen::VectorXd& x
+) const
+{
+    next.nodes.extend(l.P.blockCols(), correction);
+
+    const label size = x.size();
+    x.conservativeResize(l.P.rows());
+    x.tail(l.P.rows() - size).setZero();
+    l.P.add(1, correction, x);
+    x.conservativeResize(size);
+}
+
+
+Eigen::VectorXd Foam::aggregationMultigrid::solveCoarsest
+(
+    const Eigen::VectorXd& b
+) const
+{
+    const nodeExchange& nodes = levels_.back().nodes;
+
+    if (!nodes.any())
+    {
+        return coarsest_.solve(b);
+    }
+
+    const label d = matrix(levels_.back()).blockRows();
+    const label first = d*nodes.numbers().localStart();
+
+    scalarField all(d*nodes.numbers().size(), 0);
+    std::copy(b.data(), b.data() + b.size(), all.begin() + first);
+    reduce(all, sumOp<scalarField>());
+
+    return
+        coarsest_.solve
+        (
+            Eigen::Map<const Eigen::VectorXd>(all.cdata(), all.size())
+        ).segment(first, b.size());
+}
+
 
 void Foam::aggregationMultigrid::smooth
 (
@@ -44,7 +154,7 @@ void Foam::aggregationMultigrid::smooth
     }
     else
     {
-        l.shortA.add(-1, x, r);
+        addProduct(l, -1, x, r);
     }
 
     Eigen::VectorXd step(Eigen::VectorXd::Zero(b.size()));
@@ -57,7 +167,7 @@ void Foam::aggregationMultigrid::smooth
 
         if (k + 1 < nSteps_)
         {
-            l.shortA.add(-1, step, r);
+            addProduct(l, -1, step, r);
             const scalar next = 1/(2*centre/radius - factor);
             step *= next*factor;
             l.invD.add(2*next/radius, r, step);
@@ -75,20 +185,18 @@ Eigen::VectorXd Foam::aggregationMultigrid::cycle
 {
     if (leveli + 1 == nLevels())
     {
-        return coarsest_.solve(b);
+        return solveCoarsest(b);
     }
 
     const level& l = levels_[leveli];
+    const level& next = levels_[leveli + 1];
     Eigen::VectorXd x;
 
     smooth(l, b, x, true);
 
     Eigen::VectorXd r(b);
-    l.shortA.add(-1, x, r);
-
-    Eigen::VectorXd coarse(Eigen::VectorXd::Zero(l.P.cols()));
-    l.P.addTransposed(r, coarse);
-    l.P.add(1, cycle(leveli + 1, coarse), x);
+    addProduct(l, -1, x, r);
+    prolong(l, next, cycle(leveli + 1, restrict(l, next, r)), x);
 
     smooth(l, b, x, false);
 
@@ -110,7 +218,7 @@ void Foam::aggregationMultigrid::update(const blockMatrix& A)
         coarsen(l, levels_[leveli + 1]);
     }
 
-    coarsest_.set(matrix(levels_.back()));
+    coarsest_.set(whole(levels_.back()));
     levels_.back().A.freeValues();
 
     // From coarse to fine: few copies at a time
@@ -124,13 +232,13 @@ void Foam::aggregationMultigrid::update(const blockMatrix& A)
 
 Foam::scalar Foam::aggregationMultigrid::complexity() const
 {
-    scalar sum = 0;
+    scalar all = 0;
     for (const level& l : levels_)
     {
-        sum += matrix(l).nEntries();
+        all += matrix(l).nEntries();
     }
 
-    return sum/max(scalar(finest_->nEntries()), scalar(1));
+    return sum(all)/max(sum(finest_->nEntries()), scalar(1));
 }
 
 

@@ -37,28 +37,36 @@ void Foam::aggregationMultigrid::setSmoother(level& l) const
 
     l.shortA.set(A);
 
+    const label n = l.nodes.nOwn();
     if (l.invD.nRows() == 0)
     {
         std::vector<label> start(1, 0);
         std::vector<label> columns;
-        for (label i = 0; i < A.nRows(); ++i)
+        for (label i = 0; i < n; ++i)
         {
             columns.push_back(i);
             start.push_back(i + 1);
         }
-        l.invD = singleBlocks(blockPattern(d, d, A.nRows(), start, columns));
+        l.invD = singleBlocks(blockPattern(d, d, n, start, columns));
     }
-    for (label i = 0; i < A.nRows(); ++i)
+
+    const Eigen::VectorXd diagonal(l.nodes.diagonal(A));
+    for (label i = 0; i < n; ++i)
     {
         // Symmetric: its rows are its columns
-        const Eigen::Map<const Eigen::MatrixXd> D(A.block(A.place(i, i)), d, d);
+        const Eigen::Map<const Eigen::MatrixXd> D
+        (
+            diagonal.data() + d*d*i,
+            d,
+            d
+        );
         const Eigen::MatrixXd invD(D.inverse());
         Eigen::Map<Eigen::MatrixXf>(l.invD.block(i), d, d) = invD.cast<float>();
     }
 
     // Largest eigenvalue from below, by power iterations from a repeatable
     // start
-    Eigen::VectorXd x(A.rows());
+    Eigen::VectorXd x(d*n);
     repeatableNumbers numbers;
     for (label i = 0; i < x.size(); ++i)
     {
@@ -68,11 +76,11 @@ void Foam::aggregationMultigrid::setSmoother(level& l) const
     l.rho = 1;
     for (label iter = 0; iter < 15; ++iter)
     {
-        Eigen::VectorXd Ax(Eigen::VectorXd::Zero(A.rows()));
-        l.shortA.add(1, x, Ax);
+        Eigen::VectorXd Ax(Eigen::VectorXd::Zero(d*n));
+        addProduct(l, 1, x, Ax);
         x.setZero();
         l.invD.add(1, Ax, x);
-        l.rho = x.norm();
+        l.rho = std::sqrt(sum(x.squaredNorm()));
         x /= l.rho;
     }
     l.rho *= 1.05;
@@ -85,12 +93,13 @@ void Foam::aggregationMultigrid::coarsen(const level& l, level& next) const
 
     // Unknowns of the empty columns: nothing acts on them
     const label d = next.A.blockRows();
-    for (label i = 0; i < next.A.nRows(); ++i)
+    const Eigen::VectorXd diagonal(next.nodes.diagonal(next.A));
+    for (label i = 0; i < next.nodes.nOwn(); ++i)
     {
         double* D = next.A.block(next.A.place(i, i));
         for (label k = 0; k < d; ++k)
         {
-            if (!(D[(d + 1)*k] > 0))
+            if (!(diagonal[d*d*i + (d + 1)*k] > 0))
             {
                 D[(d + 1)*k] = 1;
             }
@@ -104,6 +113,7 @@ void Foam::aggregationMultigrid::coarsen(const level& l, level& next) const
 Foam::aggregationMultigrid::aggregationMultigrid
 (
     const blockMatrix& K,
+    const nodeExchange& nodes,
     const Eigen::MatrixXd& modes,
     const labelList& aggregates,
     const label nDirect,
@@ -119,19 +129,21 @@ Foam::aggregationMultigrid::aggregationMultigrid
 
     // No copies of large matrices on the way
     levels_.reserve(maxLevels);
+    levels_.front().nodes = nodes;
 
     prolongation::rowMatrix B(modes);
     labelList groups(aggregates);
 
     const auto direct = [&]()
     {
-        const blockMatrix& A = matrix(levels_.back());
+        const level& l = levels_.back();
+        const scalar rows = sum(matrix(l).blockRows()*l.nodes.nOwn());
 
         return
             nLevels() == 1
-          ? A.rows() <= nDirect
-          : A.rows() <= 300
-         || (A.rows() <= 10000 && factorised::operations(A) < 2e9);
+          ? rows <= nDirect
+          : rows <= 300
+         || (rows <= 10000 && factorised::operations(whole(l)) < 2e9);
     };
 
     while (!direct() && nLevels() < maxLevels)
@@ -141,11 +153,11 @@ Foam::aggregationMultigrid::aggregationMultigrid
 
         if (nLevels() > 1)
         {
-            groups = aggregation::greedy(A, 0.05);
+            groups = aggregation::greedy(A, 0.05, l.nodes.nOwn());
         }
 
         const label n = groups.empty() ? 0 : max(groups) + 1;
-        if (n*B.cols() >= A.rows())
+        if (sum(n*B.cols()) >= sum(A.blockRows()*l.nodes.nOwn()))
         {
             break;
         }
@@ -160,12 +172,22 @@ Foam::aggregationMultigrid::aggregationMultigrid
                 B
             )
         );
-        l.P =
-            prolongation::smoothed(A, l.invD, 4.0/(3*l.rho), B, groups, n);
+
+        level next;
+        l.P = prolongation::smoothed
+        (
+            A,
+            l.nodes,
+            l.invD,
+            4.0/(3*l.rho),
+            B,
+            groups,
+            n,
+            next.nodes
+        );
         B = coarse;
         l.shortA.clear();
 
-        level next;
         coarsen(l, next);
         l.A.freeValues();
         levels_.push_back(std::move(next));
@@ -173,6 +195,27 @@ Foam::aggregationMultigrid::aggregationMultigrid
 
     levels_.back().A.freeValues();
 }
+
+
+Foam::aggregationMultigrid::aggregationMultigrid
+(
+    const blockMatrix& K,
+    const Eigen::MatrixXd& modes,
+    const labelList& aggregates,
+    const label nDirect,
+    const bool hard
+)
+:
+    aggregationMultigrid
+    (
+        K,
+        nodeExchange(K.nRows()),
+        modes,
+        aggregates,
+        nDirect,
+        hard
+    )
+{}
 
 
 // ************************************************************************* //

@@ -520,7 +520,7 @@ static void testRigid(const Time& runTime, const string& kind)
 
         Eigen::VectorXd x, y;
         nodes.toNodes(v, x);
-        K.multiply(x, y);
+        nodes.exchange().multiply(K.matrix(), x, y);
         error = max(error, y.lpNorm<Eigen::Infinity>());
     }
 

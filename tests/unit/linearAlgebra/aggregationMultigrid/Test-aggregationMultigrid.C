@@ -418,6 +418,7 @@ static void testProlongation()
     singleBlocks shortInvD;
     shortInvD.set(blockMatrix(invD, 2));
 
+    nodeExchange aggregates;
     const Eigen::MatrixXd P
     (
         dense
@@ -425,14 +426,17 @@ static void testProlongation()
             prolongation::smoothed
             (
                 s.blocks,
+                nodeExchange(s.blocks.nRows()),
                 shortInvD,
                 factor,
                 modes,
                 groups,
-                n
+                n,
+                aggregates
             )
         )
     );
+    check(aggregates.nAll() == n, "number of aggregates");
     const Eigen::MatrixXd right(T - factor*(invD*(s.K*T)));
     checkSmall((P - right).norm()/right.norm(), 1e-7, "smoothed modes");
 }

@@ -28,7 +28,10 @@ License
 void Foam::operatorSmoother::setDiagonal()
 {
     const label d = stiffness_.nodes().blockSize();
-    const blockMatrix& A = stiffness_.local();
+    const Eigen::VectorXd diagonal
+    (
+        stiffness_.nodes().exchange().diagonal(stiffness_.matrix())
+    );
 
     invD_.resize(stiffness_.nodes().nOwn());
 
@@ -36,7 +39,7 @@ void Foam::operatorSmoother::setDiagonal()
     {
         const Eigen::Map<const Eigen::MatrixXd> transposed
         (
-            A.block(A.place(nodei, nodei)),
+            diagonal.data() + d*d*nodei,
             d,
             d
         );

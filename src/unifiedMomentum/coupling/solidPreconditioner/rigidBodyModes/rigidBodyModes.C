@@ -126,32 +126,26 @@ Foam::label Foam::rigidBodyModes::maxDirect(const fluxGeometry& geometry)
 }
 
 
-bool Foam::rigidBodyModes::whole(const fluxGeometry& geometry)
+bool Foam::rigidBodyModes::direct(const fluxGeometry& geometry)
 {
     const label nCells =
         returnReduce(geometry.cellsAndFaces(true).cells.size(), sumOp<label>());
+
+    if (!Pstream::parRun())
+    {
+        return nCells <= maxDirect(geometry);
+    }
+
     const label maxWhole =
         geometry.mesh().nSolutionD() == 3 ? maxWhole3D : maxWhole2D;
 
-    // On few processes larger ones: it saves the iterations that a matrix cut
-    // into pieces takes
+    // On few processes larger ones: factors save iterations
     return
-        Pstream::parRun()
-     && (
-            nCells <= maxWhole
-         || (
-                nCells <= maxDirect(geometry)
-             && nCells*Pstream::nProcs() <= 6*maxWhole
-            )
+        nCells <= maxWhole
+     || (
+            nCells <= maxDirect(geometry)
+         && nCells*Pstream::nProcs() <= 6*maxWhole
         );
-}
-
-
-bool Foam::rigidBodyModes::direct(const fluxGeometry& geometry)
-{
-    const label nCells = geometry.cellsAndFaces(true).cells.size();
-
-    return returnReduce(nCells, maxOp<label>()) <= maxDirect(geometry);
 }
 
 
@@ -166,7 +160,7 @@ Foam::boolList Foam::rigidBodyModes::seenByLinks(const unifiedOperator& op)
     if
     (
         !links.active() || geometry.skewed(true)
-     || !(whole(geometry) || direct(geometry))
+     || !direct(geometry)
     )
     {
         return boolList();
@@ -272,6 +266,8 @@ Foam::labelList Foam::rigidBodyModes::aggregates(const label nPasses) const
 
 bool Foam::rigidBodyModes::hard() const
 {
+    bool found = false;
+
     for (const label celli : nodes_.geometry().cellsAndFaces(true).cells)
     {
         const material& law = nodes_.geometry().materials()[celli];
@@ -279,30 +275,11 @@ bool Foam::rigidBodyModes::hard() const
 
         if (nu > 0.45)
         {
-            return true;
+            found = true;
         }
     }
 
-    return false;
-}
-
-
-Foam::label Foam::rigidBodyModes::nCoarsePasses() const
-{
-    const bool threeD = nodes_.blockSize() == 3;
-
-    // 8 cells in an aggregate in 2-D, 16 in 3-D; more in large solids, as every
-    // process factorises the whole matrix
-    label nPasses = threeD ? 4 : 3;
-    const label maxAggregates = threeD ? 500 : 2000;
-
-    label nCells = returnReduce(nodes_.nOwn(), sumOp<label>());
-    while ((nCells >> nPasses) > maxAggregates)
-    {
-        ++nPasses;
-    }
-
-    return nPasses;
+    return returnReduce(found, orOp<bool>());
 }
 
 
@@ -328,10 +305,7 @@ Foam::scalar Foam::rigidBodyModes::dot
 
 void Foam::rigidBodyModes::setError()
 {
-    error_ =
-        own_.valid() && coarse_.valid() ? GREAT
-      : own_.valid() ? own_().error()
-      : coarse_().error();
+    error_ = levels_().error();
 
     // Where the matrix is not that of the operator by construction, not of the
     // one at the next state, or of other time steps
@@ -426,12 +400,10 @@ void Foam::rigidBodyModes::setUp()
 
     // Links make the rows of the matrix up to four times longer. In multigrid
     // that costs more than the iterations that they save
-    const bool allInOne = whole(nodes_.geometry());
-    const bool ownDirect = direct(nodes_.geometry());
+    const bool factorise = direct(nodes_.geometry());
 
     // Those of an old shape first
-    own_.clear();
-    coarse_.clear();
+    levels_.clear();
     smoother_.clear();
     stiffness_.clear();
 
@@ -446,7 +418,7 @@ void Foam::rigidBodyModes::setUp()
             (
                 nodes_,
                 stress,
-                allInOne || ownDirect,
+                factorise,
                 shape_.cells.size() ? &shape_ : nullptr
             )
         );
@@ -460,44 +432,22 @@ void Foam::rigidBodyModes::setUp()
         vectorField(faces_.weight.size(), Zero)
     );
 
-    if (allInOne)
-    {
-        // Each node an aggregate with all its motion: the whole matrix
-        Eigen::MatrixXd all(Eigen::MatrixXd::Zero(d*nodes_.nOwn(), d));
-        for (label row = 0; row < all.rows(); ++row)
-        {
-            all(row, row % d) = 1;
-        }
-
-        coarse_.reset
-        (
-            new rigidCoarseSpace(stiffness_(), all, identity(nodes_.nOwn()))
-        );
-
-        return;
-    }
-
     const Eigen::MatrixXd B(modes());
 
-    own_.reset
+    levels_.reset
     (
         new aggregationMultigrid
         (
-            stiffness_().local(),
+            stiffness_().matrix(),
+            nodes_.exchange(),
             B,
             aggregates(d == 3 ? 4 : 3),
-            ownDirect ? B.rows() : d*maxDirect(nodes_.geometry()),
+            factorise ? labelMax
+          : nodes_.exchange().any() ? 0
+          : d*maxDirect(nodes_.geometry()),
             hard()
         )
     );
-
-    if (Pstream::parRun())
-    {
-        coarse_.reset
-        (
-            new rigidCoarseSpace(stiffness_(), B, aggregates(nCoarsePasses()))
-        );
-    }
 }
 
 
@@ -515,14 +465,7 @@ void Foam::rigidBodyModes::setMatrix()
     stiffness_().update(cellDiagonal, vectorField(faces_.fluidSide/betaDt));
     betaDt_ = betaDt;
 
-    if (own_.valid())
-    {
-        own_().update(stiffness_().local());
-    }
-    if (coarse_.valid())
-    {
-        coarse_().update();
-    }
+    levels_().update(stiffness_().matrix());
 
     smoother_().update();
     setError();
@@ -588,28 +531,11 @@ void Foam::rigidBodyModes::reshape()
 
 void Foam::rigidBodyModes::solve(const unifiedVector& r, unifiedVector& x)
 {
-    Eigen::VectorXd b, x1, Ax;
+    Eigen::VectorXd b;
     stiffness_().eliminate(r, b);
 
-    if (!own_.valid())
-    {
-        x1 = coarse_().solve(b);
-    }
-    else if (coarse_.valid())
-    {
-        x1 = coarse_().solve(b);
-        stiffness_().multiply(x1, Ax);
-        x1 += own_().solve(b - Ax);
-        stiffness_().multiply(x1, Ax);
-        x1 += coarse_().solve(b - Ax);
-    }
-    else
-    {
-        x1 = own_().solve(b);
-    }
-
     x.setZero();
-    stiffness_().expand(r, x1, x);
+    stiffness_().expand(r, levels_().solve(b), x);
 
     const scalar scale = 1/op_.flux().betaDt();
     x.U *= scale;

@@ -22,62 +22,7 @@ License
 
 #include "solidStiffness.H"
 
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-void Foam::solidStiffness::setLocal()
-{
-    if (!nodes_.exchange().any())
-    {
-        return;
-    }
-
-    const label d = nodes_.blockSize();
-
-    // Columns of own nodes come first in each row
-    for (label nodei = 0; nodei < local_.nRows(); ++nodei)
-    {
-        const label n = local_.start(nodei + 1) - local_.start(nodei);
-        const double* from = matrix_.block(matrix_.start(nodei));
-
-        std::copy(from, from + d*d*n, local_.block(local_.start(nodei)));
-    }
-
-    // What other processes add to the diagonal
-    Eigen::VectorXd diagonal(Eigen::VectorXd::Zero(d*d*nodes_.nAll()));
-    for (label nodei = nodes_.nOwn(); nodei < nodes_.nAll(); ++nodei)
-    {
-        const double* block = matrix_.block(matrix_.place(nodei, nodei));
-        std::copy(block, block + d*d, diagonal.data() + d*d*nodei);
-    }
-
-    nodes_.exchange().collect(d*d, diagonal);
-
-    for (label nodei = 0; nodei < nodes_.nOwn(); ++nodei)
-    {
-        double* block = local_.block(local_.place(nodei, nodei));
-
-        for (label k = 0; k < d*d; ++k)
-        {
-            block[k] += diagonal[d*d*nodei + k];
-        }
-    }
-}
-
-
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-void Foam::solidStiffness::multiply
-(
-    Eigen::VectorXd x,
-    Eigen::VectorXd& y
-) const
-{
-    nodes_.exchange().extend(nodes_.blockSize(), x);
-    y.setZero(x.size());
-    matrix_.add(1, x, y);
-    nodes_.exchange().collect(nodes_.blockSize(), y);
-}
-
 
 void Foam::solidStiffness::eliminate
 (

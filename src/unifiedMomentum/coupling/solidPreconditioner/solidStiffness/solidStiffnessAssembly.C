@@ -70,38 +70,24 @@ void Foam::solidStiffness::setPattern(cellStiffness& cell)
         }
     }
 
-    const auto pattern = [&](const label nRows)
+    std::vector<label> start(1, 0);
+    std::vector<label> columns;
+    for (label nodei = 0; nodei < n; ++nodei)
     {
-        std::vector<label> start(1, 0);
-        std::vector<label> columns;
+        std::vector<label>& row = rows[nodei];
 
-        for (label nodei = 0; nodei < nRows; ++nodei)
-        {
-            const std::vector<label>& row = rows[nodei];
-            columns.insert
-            (
-                columns.end(),
-                std::lower_bound(row.begin(), row.end(), nodei),
-                std::lower_bound(row.begin(), row.end(), nRows)
-            );
-            start.push_back(columns.size());
-        }
-
-        return blockPattern(d, d, nRows, start, columns);
-    };
-
-    for (std::vector<label>& row : rows)
-    {
         std::sort(row.begin(), row.end());
         row.erase(std::unique(row.begin(), row.end()), row.end());
+        columns.insert
+        (
+            columns.end(),
+            std::lower_bound(row.begin(), row.end(), nodei),
+            row.end()
+        );
+        start.push_back(columns.size());
     }
 
-    matrix_ = blockMatrix(pattern(n));
-
-    if (nodes_.exchange().any())
-    {
-        local_ = blockMatrix(pattern(nodes_.nOwn()));
-    }
+    matrix_ = blockMatrix(blockPattern(d, d, n, start, columns));
 }
 
 
@@ -384,8 +370,6 @@ void Foam::solidStiffness::update
             }
         }
     }
-
-    setLocal();
 }
 
 
