@@ -22,6 +22,7 @@ License
 
 #include "rigidBodyModes.H"
 #include "aggregation.H"
+#include "processorPolyPatch.H"
 #include "profiling.H"
 #include "repeatableNumbers.H"
 
@@ -34,6 +35,10 @@ Foam::label Foam::rigidBodyModes::maxDirect3D = 3000;
 Foam::label Foam::rigidBodyModes::maxWhole2D = 10000;
 
 Foam::label Foam::rigidBodyModes::maxWhole3D = 3000;
+
+Foam::label Foam::rigidBodyModes::maxInterface2D = 1000;
+
+Foam::label Foam::rigidBodyModes::maxInterface3D = 300;
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -126,22 +131,55 @@ Foam::label Foam::rigidBodyModes::maxDirect(const fluxGeometry& geometry)
 }
 
 
+Foam::label Foam::rigidBodyModes::nInterface(const fluxGeometry& geometry)
+{
+    const fvMesh& mesh = geometry.mesh();
+    const materialZones& materials = geometry.materials();
+    const labelList beyond(materials.boundaryNeighbour());
+    label nFaces = 0;
+
+    for (const polyPatch& pp : mesh.boundaryMesh())
+    {
+        if (!isA<processorPolyPatch>(pp))
+        {
+            continue;
+        }
+
+        forAll(pp, i)
+        {
+            const label facei = pp.start() + i;
+            const label other = beyond[facei - mesh.nInternalFaces()];
+
+            if
+            (
+                materials.solid(mesh.faceOwner()[facei])
+             && materials.materials()[other].solid()
+            )
+            {
+                ++nFaces;
+            }
+        }
+    }
+
+    // Both sides
+    return returnReduce(nFaces, sumOp<label>())/2;
+}
+
+
 bool Foam::rigidBodyModes::whole(const fluxGeometry& geometry)
 {
+    const bool threeD = geometry.mesh().nSolutionD() == 3;
     const label nCells =
         returnReduce(geometry.cellsAndFaces(true).cells.size(), sumOp<label>());
-    const label maxWhole =
-        geometry.mesh().nSolutionD() == 3 ? maxWhole3D : maxWhole2D;
 
-    // On few processes larger ones: it saves the iterations that a matrix cut
-    // into pieces takes
     return
         Pstream::parRun()
      && (
-            nCells <= maxWhole
+            nCells <= (threeD ? maxWhole3D : maxWhole2D)
          || (
-                nCells <= maxDirect(geometry)
-             && nCells*Pstream::nProcs() <= 6*maxWhole
+                direct(geometry)
+             && nInterface(geometry)
+             <= (threeD ? maxInterface3D : maxInterface2D)
             )
         );
 }
@@ -329,9 +367,9 @@ Foam::scalar Foam::rigidBodyModes::dot
 void Foam::rigidBodyModes::setError()
 {
     error_ =
-        own_.valid() && coarse_.valid() ? GREAT
-      : own_.valid() ? own_().error()
-      : coarse_().error();
+        whole_.valid() ? whole_().error()
+      : coarse_.valid() ? GREAT
+      : own_().error();
 
     // Where the matrix is not that of the operator by construction, not of the
     // one at the next state, or of other time steps
@@ -430,6 +468,7 @@ void Foam::rigidBodyModes::setUp()
     const bool ownDirect = direct(nodes_.geometry());
 
     // Those of an old shape first
+    whole_.clear();
     own_.clear();
     coarse_.clear();
     smoother_.clear();
@@ -462,16 +501,9 @@ void Foam::rigidBodyModes::setUp()
 
     if (allInOne)
     {
-        // Each node an aggregate with all its motion: the whole matrix
-        Eigen::MatrixXd all(Eigen::MatrixXd::Zero(d*nodes_.nOwn(), d));
-        for (label row = 0; row < all.rows(); ++row)
-        {
-            all(row, row % d) = 1;
-        }
-
-        coarse_.reset
+        whole_.reset
         (
-            new rigidCoarseSpace(stiffness_(), all, identity(nodes_.nOwn()))
+            new substructures(stiffness_().matrix(), nodes_.exchange())
         );
 
         return;
@@ -515,6 +547,10 @@ void Foam::rigidBodyModes::setMatrix()
     stiffness_().update(cellDiagonal, vectorField(faces_.fluidSide/betaDt));
     betaDt_ = betaDt;
 
+    if (whole_.valid())
+    {
+        whole_().update();
+    }
     if (own_.valid())
     {
         own_().update(stiffness_().local());
@@ -591,9 +627,9 @@ void Foam::rigidBodyModes::solve(const unifiedVector& r, unifiedVector& x)
     Eigen::VectorXd b, x1, Ax;
     stiffness_().eliminate(r, b);
 
-    if (!own_.valid())
+    if (whole_.valid())
     {
-        x1 = coarse_().solve(b);
+        x1 = whole_().solve(b);
     }
     else if (coarse_.valid())
     {
