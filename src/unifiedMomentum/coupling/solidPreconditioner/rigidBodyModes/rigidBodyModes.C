@@ -36,9 +36,7 @@ Foam::label Foam::rigidBodyModes::maxWhole2D = 10000;
 
 Foam::label Foam::rigidBodyModes::maxWhole3D = 3000;
 
-Foam::label Foam::rigidBodyModes::maxInterface2D = 1000;
-
-Foam::label Foam::rigidBodyModes::maxInterface3D = 300;
+Foam::label Foam::rigidBodyModes::maxInterface2D = 800;
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -177,9 +175,8 @@ bool Foam::rigidBodyModes::whole(const fluxGeometry& geometry)
      && (
             nCells <= (threeD ? maxWhole3D : maxWhole2D)
          || (
-                direct(geometry)
-             && nInterface(geometry)
-             <= (threeD ? maxInterface3D : maxInterface2D)
+                !threeD && direct(geometry)
+             && nInterface(geometry) <= maxInterface2D
             )
         );
 }
