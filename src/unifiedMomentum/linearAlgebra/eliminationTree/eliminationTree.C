@@ -25,6 +25,72 @@ License
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+void Foam::eliminationTree::setOrder
+(
+    const columnMatrix& A,
+    const label d,
+    const std::vector<label>& kept
+)
+{
+    permutation inverse;
+
+    if (d == 1 && kept.empty())
+    {
+        Eigen::AMDOrdering<int>()(A.selfadjointView<Eigen::Lower>(), inverse);
+        order_ = inverse.transpose();
+        return;
+    }
+
+    // Blocks, and ties of nodes kept: they are dense among themselves, so that
+    // columns that have some of them are dear
+    const label n = A.cols()/d;
+    std::vector<Eigen::Triplet<double>> entries;
+    for (label j = 0; j < n; ++j)
+    {
+        for (columnMatrix::InnerIterator e(A, d*j); e; ++e)
+        {
+            if (e.row() % d == 0)
+            {
+                entries.push_back({int(e.row()/d), int(j), 1.0});
+            }
+        }
+    }
+    for (const label i : kept)
+    {
+        for (const label j : kept)
+        {
+            if (i > j)
+            {
+                entries.push_back({int(i), int(j), 1.0});
+            }
+        }
+    }
+    columnMatrix blocks(n, n);
+    blocks.setFromTriplets(entries.begin(), entries.end());
+    Eigen::AMDOrdering<int>()(blocks.selfadjointView<Eigen::Lower>(), inverse);
+
+    std::vector<label> place(n, -1);
+    for (std::size_t i = 0; i < kept.size(); ++i)
+    {
+        place[kept[i]] = n - kept.size() + i;
+    }
+    label nPlaced = 0;
+    order_.resize(A.cols());
+    for (label i = 0; i < n; ++i)
+    {
+        const label node = inverse.indices()[i];
+        if (place[node] < 0)
+        {
+            place[node] = nPlaced++;
+        }
+        for (label k = 0; k < d; ++k)
+        {
+            order_.indices()[d*node + k] = d*place[node] + k;
+        }
+    }
+}
+
+
 void Foam::eliminationTree::set(const columnMatrix& A)
 {
     const label n = A.cols();
@@ -36,6 +102,11 @@ void Foam::eliminationTree::set(const columnMatrix& A)
     parent_.assign(n, -1);
     size_.assign(n, 0);
     std::vector<label> seenBy(n, -1);
+
+    for (label k = nEliminated_; k < n - 1; ++k)
+    {
+        parent_[k] = k + 1;
+    }
 
     // Row k of the factor: the ways up from the entries of row k of A
     for (label k = 0; k < n; ++k)
@@ -107,12 +178,16 @@ void Foam::eliminationTree::postorder()
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::eliminationTree::eliminationTree(const columnMatrix& A)
+Foam::eliminationTree::eliminationTree
+(
+    const columnMatrix& A,
+    const label d,
+    const std::vector<label>& kept
+)
+:
+    nEliminated_(A.cols() - d*kept.size())
 {
-    permutation inverse;
-    Eigen::AMDOrdering<int>()(A.selfadjointView<Eigen::Lower>(), inverse);
-    order_ = inverse.transpose();
-
+    setOrder(A, d, kept);
     set(A);
     postorder();
     set(A);

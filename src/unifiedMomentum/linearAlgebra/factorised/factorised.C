@@ -30,52 +30,46 @@ std::size_t Foam::factorised::minShort = 500000;
 constexpr Foam::scalar Foam::factorised::roundOff;
 
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+    template<class Real>
+    using factorBlock = Eigen::Map
+    <
+        const Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>,
+        0,
+        Eigen::OuterStride<>
+    >;
+
+    //- In single precision, over the largest: it has a narrow range
+    static double toShort(const Eigen::VectorXd& x, Eigen::VectorXf& singles)
+    {
+        const double scale = std::max(x.lpNorm<Eigen::Infinity>(), 1e-300);
+        singles = (x/scale).cast<float>();
+
+        return scale;
+    }
+}
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 template<class Real>
-void Foam::factorised::substitute
+void Foam::factorised::forward
 (
     const std::vector<Real>& values,
     Eigen::Matrix<Real, Eigen::Dynamic, 1>& x
 ) const
 {
-    typedef Eigen::Matrix<Real, Eigen::Dynamic, 1> vectorType;
-    typedef Eigen::Map
-    <
-        const Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>,
-        0,
-        Eigen::OuterStride<>
-    >
-    block;
-
-    vectorType rest;
-
-    // Panel p: its triangle of L, and what is below
-    const auto triangle = [&](const panel& p)
-    {
-        return block
-        (
-            values.data() + p.value,
-            p.width,
-            p.width,
-            Eigen::OuterStride<>(p.width + p.nRows)
-        );
-    };
-    const auto below = [&](const panel& p)
-    {
-        return block
-        (
-            values.data() + p.value + p.width,
-            p.nRows,
-            p.width,
-            Eigen::OuterStride<>(p.width + p.nRows)
-        );
-    };
+    Eigen::Matrix<Real, Eigen::Dynamic, 1> rest;
 
     for (const panel& p : panels_)
     {
         auto own = x.segment(p.first, p.width);
-        const block L(triangle(p));
+        const Real* value = values.data() + p.value;
+        const Eigen::OuterStride<> stride(p.width + p.nRows);
+        const factorBlock<Real> L(value, p.width, p.width, stride);
 
         for (label k = 0; k + 1 < p.width; ++k)
         {
@@ -85,32 +79,57 @@ void Foam::factorised::substitute
 
         if (p.nRows)
         {
-            rest.noalias() = below(p)*own;
+            const factorBlock<Real> below
+            (
+                value + p.width,
+                p.nRows,
+                p.width,
+                stride
+            );
+
+            rest.noalias() = below*own;
             for (label k = 0; k < p.nRows; ++k)
             {
                 x[rows_[p.row + k]] -= rest[k];
             }
         }
     }
+}
 
-    // Over the largest: single precision has a narrow range
-    x.array() /=
-        (D_/largest_).template cast<Real>().array();
+
+template<class Real>
+void Foam::factorised::backward
+(
+    const std::vector<Real>& values,
+    Eigen::Matrix<Real, Eigen::Dynamic, 1>& x
+) const
+{
+    Eigen::Matrix<Real, Eigen::Dynamic, 1> rest;
 
     for (auto iter = panels_.rbegin(); iter != panels_.rend(); ++iter)
     {
         const panel& p = *iter;
         auto own = x.segment(p.first, p.width);
-        const block L(triangle(p));
+        const Real* value = values.data() + p.value;
+        const Eigen::OuterStride<> stride(p.width + p.nRows);
+        const factorBlock<Real> L(value, p.width, p.width, stride);
 
         if (p.nRows)
         {
+            const factorBlock<Real> below
+            (
+                value + p.width,
+                p.nRows,
+                p.width,
+                stride
+            );
+
             rest.resize(p.nRows);
             for (label k = 0; k < p.nRows; ++k)
             {
                 rest[k] = x[rows_[p.row + k]];
             }
-            own.noalias() -= below(p).transpose()*rest;
+            own.noalias() -= below.transpose()*rest;
         }
 
         for (label k = p.width - 2; k >= 0; --k)
@@ -119,6 +138,23 @@ void Foam::factorised::substitute
             own[k] -= L.col(k).tail(n).dot(own.tail(n));
         }
     }
+}
+
+
+template<class Real>
+void Foam::factorised::substitute
+(
+    const std::vector<Real>& values,
+    Eigen::Matrix<Real, Eigen::Dynamic, 1>& x
+) const
+{
+    forward(values, x);
+
+    // Over the largest: single precision has a narrow range
+    x.array() /=
+        (D_/largest_).template cast<Real>().array();
+
+    backward(values, x);
 }
 
 
@@ -153,6 +189,7 @@ bool Foam::factorised::tryShort(const blockMatrix& A)
 
 Foam::factorised::factorised()
 :
+    kept_{},
     nValues_(0),
     largest_(1),
     error_(0)
@@ -170,20 +207,68 @@ Eigen::VectorXd Foam::factorised::solve(const Eigen::VectorXd& b) const
 
     Eigen::VectorXd x(order_*b);
 
-    if (singles_.empty())
+    if (isShort())
     {
-        substitute(values_, x);
+        Eigen::VectorXf singles;
+        const double scale = toShort(x, singles);
+        substitute(singles_, singles);
+        x = scale*singles.cast<double>();
     }
     else
     {
-        const double scale = std::max(x.lpNorm<Eigen::Infinity>(), 1e-300);
-        Eigen::VectorXf singles((x/scale).cast<float>());
-        substitute(singles_, singles);
-        x = scale*singles.cast<double>();
+        substitute(values_, x);
     }
     x /= largest_;
 
     return order_.transpose()*x;
+}
+
+
+void Foam::factorised::forward(Eigen::VectorXd& x) const
+{
+    if (!x.size())
+    {
+        return;
+    }
+
+    x = order_*x;
+
+    if (isShort())
+    {
+        Eigen::VectorXf singles;
+        const double scale = toShort(x, singles);
+        forward(singles_, singles);
+        x = scale*singles.cast<double>();
+    }
+    else
+    {
+        forward(values_, x);
+    }
+}
+
+
+void Foam::factorised::backward(Eigen::VectorXd& x) const
+{
+    if (!x.size())
+    {
+        return;
+    }
+
+    x.head(D_.size()).array() /= D_.array();
+
+    if (isShort())
+    {
+        Eigen::VectorXf singles;
+        const double scale = toShort(x, singles);
+        backward(singles_, singles);
+        x = scale*singles.cast<double>();
+    }
+    else
+    {
+        backward(values_, x);
+    }
+
+    x = order_.transpose()*x;
 }
 
 

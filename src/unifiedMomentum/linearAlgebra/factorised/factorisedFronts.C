@@ -23,122 +23,7 @@ License
 #include "factorised.H"
 #include "error.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace Foam
-{
-
-//- The lower half, whose columns are the rows of the upper one
-static Eigen::SparseMatrix<double> lowerHalf(const blockMatrix& A)
-{
-    return A.sparse().transpose();
-}
-
-} // End namespace Foam
-
-
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-void Foam::factorised::setPanels(const eliminationTree& tree)
-{
-    // Zeros that a panel may have, of its entries
-    const double maxZeros = 0.15;
-
-    const label n = order_.size();
-
-    panels_.clear();
-    nValues_ = 0;
-    label nRows = 0;
-
-    for (label first = 0; first < n; first += panels_.back().width)
-    {
-        label last = first;
-        double zeros = 0;
-
-        // A column whose first row is the next column has its rows there
-        while (tree.parent(last) == last + 1)
-        {
-            const label width = last - first + 1;
-            const double size = tree.size(last + 1);
-            const double more = zeros + width*(size + 1 - tree.size(last));
-
-            if (more > maxZeros*(width + 1)*(size + 0.5*width))
-            {
-                break;
-            }
-            zeros = more;
-            ++last;
-        }
-
-        const panel p
-        {
-            first,
-            last - first + 1,
-            tree.size(last),
-            nRows,
-            nValues_
-        };
-
-        nRows += p.nRows;
-        nValues_ += std::size_t(p.width + p.nRows)*p.width;
-        panels_.push_back(p);
-    }
-}
-
-
-void Foam::factorised::setRows(const columnMatrix& A)
-{
-    std::vector<label> panelOf(A.cols());
-    for (std::size_t i = 0; i < panels_.size(); ++i)
-    {
-        const auto first = panelOf.begin() + panels_[i].first;
-        std::fill(first, first + panels_[i].width, i);
-    }
-
-    rows_.clear();
-    parent_.clear();
-    std::vector<label> seenBy(A.cols(), -1);
-    std::vector<std::vector<label>> children(panels_.size());
-
-    for (std::size_t i = 0; i < panels_.size(); ++i)
-    {
-        const panel& p = panels_[i];
-        const label end = p.first + p.width;
-
-        const auto add = [&](const label row)
-        {
-            if (row >= end && seenBy[row] != label(i))
-            {
-                seenBy[row] = i;
-                rows_.push_back(row);
-            }
-        };
-
-        for (label column = p.first; column < end; ++column)
-        {
-            for (columnMatrix::InnerIterator e(A, column); e; ++e)
-            {
-                add(e.row());
-            }
-        }
-        for (const label child : children[i])
-        {
-            const panel& c = panels_[child];
-            for (label k = 0; k < c.nRows; ++k)
-            {
-                add(rows_[c.row + k]);
-            }
-        }
-        std::sort(rows_.begin() + p.row, rows_.end());
-
-        parent_.push_back(p.nRows ? panelOf[rows_[p.row]] : -1);
-        if (p.nRows)
-        {
-            children[parent_[i]].push_back(i);
-        }
-    }
-}
-
 
 void Foam::factorised::setFront
 (
@@ -158,6 +43,28 @@ void Foam::factorised::setFront
             front(place[e.row()], k) = e.value();
         }
         front(k, k) *= factor;
+    }
+}
+
+
+void Foam::factorised::addChange
+(
+    const panel& child,
+    const std::vector<double>& change,
+    const std::vector<label>& place,
+    Eigen::MatrixXd& front
+) const
+{
+    const label* rows = rows_.data() + child.row;
+    const double* value = change.data();
+
+    for (label l = 0; l < child.nRows; ++l)
+    {
+        double* column = front.col(place[rows[l]]).data();
+        for (label k = l; k < child.nRows; ++k)
+        {
+            column[place[rows[k]]] += *value++;
+        }
     }
 }
 
@@ -206,24 +113,22 @@ bool Foam::factorised::factorise
 (
     const columnMatrix& A,
     const double factor,
-    std::vector<Real>& values
+    std::vector<Real>& values,
+    Eigen::MatrixXd& left
 )
 {
-    D_.resize(A.cols());
+    D_.resize(kept_.first);
     values.assign(nValues_, 0);
 
     std::vector<label> place(A.cols());
-    std::vector<std::vector<label>> children(panels_.size());
+    std::vector<std::vector<label>> children(panels_.size() + 1);
 
     // What a panel changes in the rows below, lower half column by column
     std::vector<std::vector<double>> changes(panels_.size());
     Eigen::MatrixXd front;
 
-    for (std::size_t i = 0; i < panels_.size(); ++i)
+    const auto assemble = [&](const std::size_t i, const panel& p)
     {
-        const panel& p = panels_[i];
-        const label size = p.width + p.nRows;
-
         for (label k = 0; k < p.width; ++k)
         {
             place[p.first + k] = k;
@@ -237,19 +142,17 @@ bool Foam::factorised::factorise
 
         for (const label child : children[i])
         {
-            const label* rows = rows_.data() + panels_[child].row;
-            const double* change = changes[child].data();
-
-            for (label l = 0; l < panels_[child].nRows; ++l)
-            {
-                double* column = front.col(place[rows[l]]).data();
-                for (label k = l; k < panels_[child].nRows; ++k)
-                {
-                    column[place[rows[k]]] += *change++;
-                }
-            }
+            addChange(panels_[child], changes[child], place, front);
             std::vector<double>().swap(changes[child]);
         }
+    };
+
+    for (std::size_t i = 0; i < panels_.size(); ++i)
+    {
+        const panel& p = panels_[i];
+        const label size = p.width + p.nRows;
+
+        assemble(i, p);
 
         if (!eliminate(p.width, front))
         {
@@ -278,39 +181,40 @@ bool Foam::factorised::factorise
         }
     }
 
+    assemble(panels_.size(), kept_);
+    left.swap(front);
+
     return true;
 }
 
 
 template<class Real>
-void Foam::factorised::factorise
+Eigen::MatrixXd Foam::factorised::factorise
 (
     const columnMatrix& A,
     std::vector<Real>& values
 )
 {
+    Eigen::MatrixXd left;
+
     // A free body at a huge time step is singular to round-off
     for (double shift = 1e-13; shift < 1; shift *= 100)
     {
-        if (factorise(A, 1 + shift, values))
+        if (factorise(A, 1 + shift, values, left))
         {
-            largest_ = D_.maxCoeff();
-            return;
+            largest_ = D_.size() ? D_.maxCoeff() : 1;
+            return left;
         }
     }
 
     FatalErrorInFunction
         << "A matrix of the solids is not positive" << exit(FatalError);
+
+    return left;
 }
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-Foam::scalar Foam::factorised::operations(const blockMatrix& A)
-{
-    return eliminationTree(lowerHalf(A)).operations();
-}
-
 
 void Foam::factorised::set(const blockMatrix& A)
 {
@@ -321,26 +225,7 @@ void Foam::factorised::set(const blockMatrix& A)
 
     std::vector<double>().swap(values_);
     std::vector<float>().swap(singles_);
-
-    const bool first = panels_.empty();
-    columnMatrix lower(A.rows(), A.cols());
-    {
-        const columnMatrix columns(lowerHalf(A));
-
-        if (first)
-        {
-            const eliminationTree tree(columns);
-            order_ = tree.order();
-            setPanels(tree);
-        }
-
-        lower.selfadjointView<Eigen::Lower>() =
-            columns.selfadjointView<Eigen::Lower>().twistedBy(order_);
-    }
-    if (first)
-    {
-        setRows(lower);
-    }
+    const columnMatrix lower(ordered(A, 1, {}));
 
     if (nValues_ >= minShort)
     {
@@ -355,6 +240,29 @@ void Foam::factorised::set(const blockMatrix& A)
     // Far below any tolerance
     factorise(lower, values_);
     error_ = 1e-9;
+}
+
+
+Eigen::MatrixXd Foam::factorised::condense
+(
+    const blockMatrix& A,
+    const std::vector<label>& kept,
+    const bool allowShort
+)
+{
+    if (A.rows() == 0)
+    {
+        return Eigen::MatrixXd();
+    }
+
+    std::vector<double>().swap(values_);
+    std::vector<float>().swap(singles_);
+    const columnMatrix lower(ordered(A, A.blockRows(), kept));
+
+    return
+        allowShort && nValues_ >= minShort
+      ? factorise(lower, singles_)
+      : factorise(lower, values_);
 }
 
 

@@ -21,7 +21,6 @@ License
 
 
 #include "rigidBodyModes.H"
-#include "aggregation.H"
 #include "profiling.H"
 #include "repeatableNumbers.H"
 
@@ -35,253 +34,10 @@ Foam::label Foam::rigidBodyModes::maxWhole2D = 10000;
 
 Foam::label Foam::rigidBodyModes::maxWhole3D = 3000;
 
+Foam::label Foam::rigidBodyModes::maxInterface2D = 800;
+
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-Eigen::MatrixXd Foam::rigidBodyModes::modes() const
-{
-    const fluxGeometry& geometry = nodes_.geometry();
-    const fvMesh& mesh = geometry.mesh();
-    const DynamicList<direction>& directions = nodes_.directions();
-    const label d = directions.size();
-
-    vectorField points(nodes_.nOwn(), Zero);
-    vector centre(Zero);
-    scalar volume = 0;
-
-    for (const label celli : geometry.cellsAndFaces(true).cells)
-    {
-        points[nodes_.ofCell(celli)] = geometry.cellCentres(true)[celli];
-        centre += geometry.V()[celli]*geometry.cellCentres(true)[celli];
-        volume += geometry.V()[celli];
-    }
-    forAll(geometry.unknownFaces(), i)
-    {
-        if (nodes_.ofFace(i) >= 0)
-        {
-            points[nodes_.ofFace(i)] =
-                geometry.faceCentres(true)[geometry.unknownFaces()[i]];
-        }
-    }
-    centre /= max(volume, VSMALL);
-
-    points -= centre;
-
-    for (const label celli : geometry.cellsAndFaces(true).cells)
-    {
-        if (shape_.cells.size())
-        {
-            points[nodes_.ofCell(celli)] += shape_.cells[celli];
-        }
-    }
-    forAll(geometry.unknownFaces(), i)
-    {
-        if (shape_.faces.size() && nodes_.ofFace(i) >= 0)
-        {
-            points[nodes_.ofFace(i)] +=
-                shape_.faces[geometry.unknownFaces()[i]];
-        }
-    }
-
-    const scalar length = points.empty() ? 1 : sqrt(average(magSqr(points)));
-    points /= max(length, VSMALL);
-
-    // Axes of rotations that stay in the directions that are solved
-    DynamicList<vector> axes;
-    for (direction k = 0; k < vector::nComponents; ++k)
-    {
-        if (d == 3 || (d == 2 && mesh.solutionD()[k] < 0))
-        {
-            vector axis(Zero);
-            axis[k] = 1;
-            axes.append(axis);
-        }
-    }
-
-    Eigen::MatrixXd B
-    (
-        Eigen::MatrixXd::Zero(d*points.size(), d + axes.size())
-    );
-
-    forAll(points, nodei)
-    {
-        for (label k = 0; k < d; ++k)
-        {
-            B(d*nodei + k, k) = 1;
-        }
-        forAll(axes, i)
-        {
-            const vector u(axes[i] ^ points[nodei]);
-            B.block(d*nodei, d + i, d, 1) = nodes_.reduced(u);
-        }
-    }
-
-    return B;
-}
-
-
-Foam::label Foam::rigidBodyModes::maxDirect(const fluxGeometry& geometry)
-{
-    return geometry.mesh().nSolutionD() == 3 ? maxDirect3D : maxDirect2D;
-}
-
-
-bool Foam::rigidBodyModes::direct(const fluxGeometry& geometry)
-{
-    const label nCells =
-        returnReduce(geometry.cellsAndFaces(true).cells.size(), sumOp<label>());
-
-    if (!Pstream::parRun())
-    {
-        return nCells <= maxDirect(geometry);
-    }
-
-    const label maxWhole =
-        geometry.mesh().nSolutionD() == 3 ? maxWhole3D : maxWhole2D;
-
-    // On few processes larger ones: factors save iterations
-    return
-        nCells <= maxWhole
-     || (
-            nCells <= maxDirect(geometry)
-         && nCells*Pstream::nProcs() <= 6*maxWhole
-        );
-}
-
-
-Foam::boolList Foam::rigidBodyModes::seenByLinks(const unifiedOperator& op)
-{
-    const fluxGeometry& geometry = op.geometry();
-    const fvMesh& mesh = geometry.mesh();
-    const faceLinks& links = op.flux().stress(true).links();
-
-    // On skew cells the matrix is not that of the operator anyway, and knows
-    // slender tetrahedra better with the faces eliminated
-    if
-    (
-        !links.active() || geometry.skewed(true)
-     || !direct(geometry)
-    )
-    {
-        return boolList();
-    }
-
-    const auto linked = [&](const label celli)
-    {
-        for (const label facei : mesh.cells()[celli])
-        {
-            if (mesh.isInternalFace(facei) && links.links(facei))
-            {
-                return true;
-            }
-        }
-        return false;
-    };
-
-    boolList seen(geometry.unknownFaces().size());
-    forAll(seen, i)
-    {
-        const label facei = geometry.unknownFaces()[i];
-
-        seen[i] =
-            linked(mesh.faceOwner()[facei])
-         || (
-                mesh.isInternalFace(facei)
-             && linked(mesh.faceNeighbour()[facei])
-            );
-    }
-
-    return seen;
-}
-
-
-Foam::labelList Foam::rigidBodyModes::aggregates(const label nPasses) const
-{
-    const fluxGeometry& geometry = nodes_.geometry();
-    const fvMesh& mesh = geometry.mesh();
-    const materialZones& materials = geometry.materials();
-
-    // Couplings of cells as in heat conduction; cells have the first nodes
-    std::vector<aggregation::coupling> couplings;
-
-    for (label facei = 0; facei < mesh.nInternalFaces(); ++facei)
-    {
-        const label own = mesh.faceOwner()[facei];
-        const label nei = mesh.faceNeighbour()[facei];
-
-        if (materials.solid(own) && materials.solid(nei))
-        {
-            couplings.push_back
-            ({
-                nodes_.ofCell(own),
-                nodes_.ofCell(nei),
-                mag(geometry.S(true)[facei]),
-                (geometry.hOwn()[facei] + geometry.hNei()[facei])
-               /(
-                    geometry.hOwn()[facei]/materials[own].shear()
-                  + geometry.hNei()[facei]/materials[nei].shear()
-                )
-            });
-        }
-    }
-
-    const vectorField points
-    (
-        geometry.cellCentres(true),
-        geometry.cellsAndFaces(true).cells
-    );
-    labelList result(aggregation::pairwise(points, couplings, nPasses));
-    result.setSize(nodes_.nOwn(), -1);
-
-    // Faces go with the solid cell, between solids with the stiffer one
-    forAll(geometry.unknownFaces(), i)
-    {
-        if (nodes_.ofFace(i) >= 0)
-        {
-            const label facei = geometry.unknownFaces()[i];
-            label celli = mesh.faceOwner()[facei];
-
-            if (mesh.isInternalFace(facei))
-            {
-                const label nei = mesh.faceNeighbour()[facei];
-                if
-                (
-                    !materials.solid(celli)
-                 || (
-                        materials.solid(nei)
-                     && materials[nei].shear() > materials[celli].shear()
-                    )
-                )
-                {
-                    celli = nei;
-                }
-            }
-            result[nodes_.ofFace(i)] = result[nodes_.ofCell(celli)];
-        }
-    }
-
-    return result;
-}
-
-
-bool Foam::rigidBodyModes::hard() const
-{
-    bool found = false;
-
-    for (const label celli : nodes_.geometry().cellsAndFaces(true).cells)
-    {
-        const material& law = nodes_.geometry().materials()[celli];
-        const scalar nu = 0.5*law.lambda()/(law.lambda() + law.shear());
-
-        if (nu > 0.45)
-        {
-            found = true;
-        }
-    }
-
-    return returnReduce(found, orOp<bool>());
-}
-
 
 Foam::scalar Foam::rigidBodyModes::dot
 (
@@ -305,7 +61,7 @@ Foam::scalar Foam::rigidBodyModes::dot
 
 void Foam::rigidBodyModes::setError()
 {
-    error_ = levels_().error();
+    error_ = factors_.valid() ? factors_().error() : GREAT;
 
     // Where the matrix is not that of the operator by construction, not of the
     // one at the next state, or of other time steps
@@ -393,64 +149,6 @@ bool Foam::rigidBodyModes::takeShape()
 }
 
 
-void Foam::rigidBodyModes::setUp()
-{
-    const label nCells = nodes_.geometry().mesh().nCells();
-    const label d = nodes_.blockSize();
-
-    // Links make the rows of the matrix up to four times longer. In multigrid
-    // that costs more than the iterations that they save
-    const bool factorise = direct(nodes_.geometry());
-
-    // Those of an old shape first
-    levels_.clear();
-    smoother_.clear();
-    stiffness_.clear();
-
-    {
-        // Not that of the operator: the same at any time step, to the last
-        // digit, so that a restart goes on bitwise
-        const stressFlux stress(op_.geometry(), true, false);
-
-        stiffness_.reset
-        (
-            new solidStiffness
-            (
-                nodes_,
-                stress,
-                factorise,
-                shape_.cells.size() ? &shape_ : nullptr
-            )
-        );
-    }
-    smoother_.reset(new operatorSmoother(op_, faces_, stiffness_()));
-
-    // Without inertia and fluid
-    stiffness_().update
-    (
-        scalarField(nCells, 0),
-        vectorField(faces_.weight.size(), Zero)
-    );
-
-    const Eigen::MatrixXd B(modes());
-
-    levels_.reset
-    (
-        new aggregationMultigrid
-        (
-            stiffness_().matrix(),
-            nodes_.exchange(),
-            B,
-            aggregates(d == 3 ? 4 : 3),
-            factorise ? labelMax
-          : nodes_.exchange().any() ? 0
-          : d*maxDirect(nodes_.geometry()),
-            hard()
-        )
-    );
-}
-
-
 void Foam::rigidBodyModes::setMatrix()
 {
     addProfiling(matrix, "rigidBodyModes::setMatrix");
@@ -465,7 +163,14 @@ void Foam::rigidBodyModes::setMatrix()
     stiffness_().update(cellDiagonal, vectorField(faces_.fluidSide/betaDt));
     betaDt_ = betaDt;
 
-    levels_().update(stiffness_().matrix());
+    if (factors_.valid())
+    {
+        factors_().update();
+    }
+    else
+    {
+        levels_().update(stiffness_().matrix());
+    }
 
     smoother_().update();
     setError();
@@ -533,9 +238,10 @@ void Foam::rigidBodyModes::solve(const unifiedVector& r, unifiedVector& x)
 {
     Eigen::VectorXd b;
     stiffness_().eliminate(r, b);
+    b = factors_.valid() ? factors_().solve(b) : levels_().solve(b);
 
     x.setZero();
-    stiffness_().expand(r, levels_().solve(b), x);
+    stiffness_().expand(r, b, x);
 
     const scalar scale = 1/op_.flux().betaDt();
     x.U *= scale;
