@@ -307,12 +307,12 @@ Foam::label Foam::solidSolver::solve
     }
 
     // A process with only the fluid side of a face takes the other's result
-    vectorField sides(mesh.nFaces(), Zero);
+    sideField<vector> sides(geometry);
     forAll(dz.Uf, i)
     {
         sides[geometry.unknownFaces()[i]] = x_.Uf[i];
     }
-    const vectorField beyond(geometry.neighbourSides(sides));
+    const vectorField beyond(sides.neighbourSides());
 
     forAll(dz.Uf, i)
     {

@@ -35,7 +35,7 @@ void Foam::sweep::setSides()
     const fvMesh& mesh = geometry.mesh();
     const materialZones& materials = geometry.materials();
 
-    vectorField sides(mesh.nFaces(), Zero);
+    sideField<vector> sides(geometry);
 
     const auto side = [&](const label facei, const bool owner)
     {
@@ -62,7 +62,7 @@ void Foam::sweep::setSides()
         sides[facei] = ownSide_[i];
     }
 
-    const vectorField beyond(geometry.neighbourSides(sides));
+    const vectorField beyond(sides.neighbourSides());
 
     forAll(neiSide_, i)
     {

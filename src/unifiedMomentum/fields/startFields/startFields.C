@@ -137,7 +137,7 @@ void Foam::startFields::extrapolateDisplacement()
     {
         vectorField sum(mesh.nFaces(), Zero);
 
-        gradient.faceValues(D.primitiveField(), df);
+        gradient.faceValues(D.primitiveField(), df, G);
         gradient.cellGradients(df, G);
 
         for (const label facei : solid.ownSides)

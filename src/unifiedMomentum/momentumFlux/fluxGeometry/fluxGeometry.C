@@ -414,6 +414,11 @@ void Foam::fluxGeometry::setUnknowns()
         {
             unknownIndex_[facei] = faces.size();
             faces.append(facei);
+
+            if (mesh_.isInternalFace(facei))
+            {
+                ++nInterfaces_;
+            }
         }
     }
 
@@ -483,7 +488,8 @@ Foam::fluxGeometry::fluxGeometry
     warp_(mesh_.nFaces(), Zero),
     V_(mesh_.cellVolumes()),
     invB_(),
-    unknownIndex_(mesh_.nFaces(), -1)
+    unknownIndex_(mesh_.nFaces(), -1),
+    nInterfaces_(0)
 {
     setKinds(U);
     setLengths();

@@ -121,17 +121,21 @@ void Foam::gaussGradient<Type>::correct
 
 
 template<class Type>
-void Foam::gaussGradient<Type>::correctFaceValues(Field<Type>& uf)
+void Foam::gaussGradient<Type>::correctFaceValues
+(
+    Field<Type>& uf,
+    Field<GradType>& G
+)
 {
     const fvMesh& mesh = geometry_.mesh();
     const labelUList& own = mesh.faceOwner();
     const labelUList& nei = mesh.faceNeighbour();
 
-    sumFaces(uf, cellGrad_);
+    sumFaces(uf, G);
 
     for (const label celli : zone_.cells)
     {
-        cellGrad_[celli] /= geometry_.V()[celli];
+        G[celli] /= geometry_.V()[celli];
     }
 
     // Without skew faces B is a unit tensor
@@ -139,8 +143,8 @@ void Foam::gaussGradient<Type>::correctFaceValues(Field<Type>& uf)
     {
         for (const label celli : zone_.cells)
         {
-            const GradType G(cellGrad_[celli]);
-            cellGrad_[celli] = geometry_.invB()[celli] & G;
+            const GradType sum(G[celli]);
+            G[celli] = geometry_.invB()[celli] & sum;
         }
     }
 
@@ -149,36 +153,36 @@ void Foam::gaussGradient<Type>::correctFaceValues(Field<Type>& uf)
         correct
         (
             facei,
-            cellGrad_[own[facei]],
-            cellGrad_[nei[facei]],
+            G[own[facei]],
+            G[nei[facei]],
             uf[facei]
         );
     }
 
     for (const label facei : zone_.symmetry)
     {
-        const GradType& G = cellGrad_[own[facei]];
+        const GradType& GP = G[own[facei]];
 
         if (geometry_.skewed(solid_))
         {
-            uf[facei] += mirrored(facei, geometry_.skew()[facei] & G);
+            uf[facei] += mirrored(facei, geometry_.skew()[facei] & GP);
         }
         if (links_)
         {
-            linkMirrored(facei, G, uf[facei]);
+            linkMirrored(facei, GP, uf[facei]);
         }
     }
 
     if (geometry_.anyCoupled())
     {
-        const Field<GradType> GN(geometry_.neighbourValues(cellGrad_));
+        const Field<GradType> GN(geometry_.neighbourValues(G));
 
         for (const label facei : zone_.coupled)
         {
             correct
             (
                 facei,
-                cellGrad_[own[facei]],
+                G[own[facei]],
                 GN[facei - mesh.nInternalFaces()],
                 uf[facei]
             );
@@ -204,7 +208,6 @@ Foam::gaussGradient<Type>::gaussGradient
     links_(links && links->active() ? links : nullptr),
     finiteLinks_(links_ ? linksOfLargeStrain : nullptr),
     twoStages_(geometry.skewed(solid) || links_),
-    cellGrad_(twoStages_ ? geometry.mesh().nCells() : 0, Zero),
     faceGrad_(geometry.warped(solid) ? geometry.mesh().nFaces() : 0, Zero),
     rotation_(links_ && links_->twists() ? geometry.mesh().nFaces() : 0, 0)
 {}
@@ -216,7 +219,8 @@ template<class Type>
 void Foam::gaussGradient<Type>::faceValues
 (
     const Field<Type>& u,
-    Field<Type>& uf
+    Field<Type>& uf,
+    Field<GradType>& G
 )
 {
     const fvMesh& mesh = geometry_.mesh();
@@ -249,7 +253,7 @@ void Foam::gaussGradient<Type>::faceValues
 
     if (twoStages_)
     {
-        correctFaceValues(uf);
+        correctFaceValues(uf, G);
     }
 }
 

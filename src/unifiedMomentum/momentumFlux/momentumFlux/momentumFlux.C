@@ -132,8 +132,9 @@ Foam::momentumFlux::momentumFlux
 )
 :
     geometry_(materials, U, moves),
-    fluidStress_(geometry_, false),
-    solidStress_(geometry_, true),
+    work_(geometry_),
+    fluidStress_(geometry_, false, work_),
+    solidStress_(geometry_, true, work_),
     pressure_(geometry_, p),
     betaDt_(0),
     coeff_(U.mesh().nFaces() - U.mesh().nInternalFaces(), Zero),
@@ -147,10 +148,9 @@ Foam::momentumFlux::momentumFlux
     ownShareN_(ownShareT_),
     points_(nullptr),
     interfaceRest_(),
-    uFluid_(convectionCorrection_),
-    vSolid_(convectionCorrection_),
-    ownForce_(convectionCorrection_),
-    neiForce_(convectionCorrection_)
+    uf_(convectionCorrection_),
+    ownForce_(geometry_),
+    neiForce_(geometry_)
 {
     solidMeshCheck(geometry_).warn();
 }
@@ -266,7 +266,7 @@ const Foam::pressureFlux& Foam::momentumFlux::extrapolatePressure
     const scalarField& p
 )
 {
-    pressure_.interpolate(p, uFluid_, false);
+    pressure_.interpolate(p, uf_, false);
 
     return pressure_;
 }

@@ -67,7 +67,7 @@ void Foam::momentumFlux::addConvection
 
     for (const label facei : fluid.ownSides)
     {
-        cellForce[own[facei]] -= rhoPhi_[facei]*uFluid_[facei];
+        cellForce[own[facei]] -= rhoPhi_[facei]*uf_[facei];
     }
 }
 
@@ -197,9 +197,9 @@ void Foam::momentumFlux::divergence
 
     if (!current)
     {
-        setFaceVelocities(z, false, homogeneous, nullptr, uFluid_);
-        fluidStress_.interpolate(z.U, uFluid_);
-        pressure_.interpolate(z.p, uFluid_, homogeneous);
+        setFaceVelocities(z, false, homogeneous, nullptr, uf_);
+        fluidStress_.interpolate(z.U, uf_);
+        pressure_.interpolate(z.p, uf_, homogeneous);
     }
 
     div = 0;
@@ -223,7 +223,7 @@ void Foam::momentumFlux::divergence
         scalar phif =
             points_ && geometry_.kind(facei) == fluxGeometry::INTERFACE
           ? ofPoints[facei]
-          : (S[facei] & uFluid_[facei]) + pressure_.flux(facei, z.p);
+          : (S[facei] & uf_[facei]) + pressure_.flux(facei, z.p);
 
         if
         (

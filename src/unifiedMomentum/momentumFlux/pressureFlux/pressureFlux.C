@@ -161,7 +161,7 @@ void Foam::pressureFlux::extrapolate
 
 void Foam::pressureFlux::setGradients(const scalarField& p)
 {
-    gradient_.faceValues(p, pf_);
+    gradient_.faceValues(p, pf_, grad_);
     gradient_.cellGradients(pf_, grad_);
 
     if (geometry_.anyCoupled())

@@ -50,8 +50,8 @@ void Foam::stressFlux::jumpForces(const vectorField& u, const vectorField& uf)
         const label c = own[facei];
         const vector r(uf[facei] - u[c] - (dOwn[facei] & grad_[c]));
 
-        ownJump_[facei] = stiffness_.own(facei, r);
-        stress_[c] += dOwn[facei]*ownJump_[facei];
+        ownForce_[facei] = stiffness_.own(facei, r);
+        stress_[c] += dOwn[facei]*ownForce_[facei];
     };
 
     const auto neiSide = [&](const label facei)
@@ -59,8 +59,8 @@ void Foam::stressFlux::jumpForces(const vectorField& u, const vectorField& uf)
         const label c = nei[facei];
         const vector r(uf[facei] - u[c] - (dNei[facei] & grad_[c]));
 
-        neiJump_[facei] = stiffness_.nei(facei, r);
-        stress_[c] += dNei[facei]*neiJump_[facei];
+        neiForce_[facei] = stiffness_.nei(facei, r);
+        stress_[c] += dNei[facei]*neiForce_[facei];
     };
 
     for (const label facei : zone_.internal)
@@ -107,24 +107,17 @@ void Foam::stressFlux::setSideForces()
     const labelUList& nei = mesh.faceNeighbour();
     const vectorField& S = geometry_.S(solid_);
 
-    const auto ownSide = [&](const label facei)
-    {
-        ownForce_[facei] =
-            (S[facei] & stress_[own[facei]]) + ownJump_[facei];
-    };
-
     for (const label facei : zone_.coupled)
     {
-        ownSide(facei);
+        ownForce_[facei] += S[facei] & stress_[own[facei]];
     }
     for (const label facei : zone_.ownSides)
     {
-        ownSide(facei);
+        ownForce_[facei] += S[facei] & stress_[own[facei]];
     }
     for (const label facei : zone_.neiSides)
     {
-        neiForce_[facei] =
-            neiJump_[facei] - (S[facei] & stress_[nei[facei]]);
+        neiForce_[facei] -= S[facei] & stress_[nei[facei]];
     }
 }
 
@@ -166,15 +159,14 @@ void Foam::stressFlux::addForces(vectorField& cellForce)
         );
         const vector F
         (
-            (S[facei] & sigma) + (1 - wP)*ownJump_[facei]
-          - wP*neiJump_[facei]
+            (S[facei] & sigma) + (1 - wP)*ownForce_[facei]
+          - wP*neiForce_[facei]
         );
 
         cellForce[own[facei]] += F;
         cellForce[nei[facei]] -= F;
     }
 
-    setSideForces();
     addCoupledForces(cellForce);
 }
 
@@ -185,7 +177,7 @@ Foam::stressFlux::stressFlux
 (
     const fluxGeometry& geometry,
     const bool solid,
-    const bool withForces
+    workArrays& work
 )
 :
     geometry_(geometry),
@@ -203,14 +195,17 @@ Foam::stressFlux::stressFlux
       : nullptr
     ),
     gradient_(geometry, solid, &links_, finiteLinks_.get()),
-    grad_(withForces ? geometry.mesh().nCells() : 0, Zero),
-    stress_(grad_),
-    adjoint_(gradient_.twoStages() ? grad_.size() : 0, Zero),
-    ownJump_(withForces ? geometry.mesh().nFaces() : 0, Zero),
-    neiJump_(ownJump_),
-    ownForce_(ownJump_),
-    neiForce_(ownJump_)
+    grad_(work.grad),
+    stress_(work.stress),
+    ownForce_(work.ownForce),
+    neiForce_(work.neiForce),
+    adjoint_(work.adjoint)
 {
+    if (gradient_.twoStages())
+    {
+        adjoint_.setSize(grad_.size(), Zero);
+    }
+
     setFactor(1);
 }
 
@@ -241,7 +236,7 @@ void Foam::stressFlux::updateGeometry()
 
 void Foam::stressFlux::interpolate(const vectorField& u, vectorField& uf)
 {
-    gradient_.faceValues(u, uf);
+    gradient_.faceValues(u, uf, grad_);
     gradient_.cellGradients(uf, grad_);
 }
 
@@ -254,15 +249,14 @@ void Foam::stressFlux::addInsideForces
 )
 {
     jumpForces(u, uf);
+    setSideForces();
 
     if (gradient_.twoStages())
     {
-        addTwoStageForces(cellForce);
+        addAdjoint();
     }
-    else
-    {
-        addForces(cellForce);
-    }
+
+    addForces(cellForce);
 }
 
 
@@ -304,14 +298,14 @@ Foam::scalar Foam::stressFlux::energy(const vectorField& u, vectorField& uf)
     {
         for (const label facei : faces)
         {
-            twice += (uf[facei] - u[own[facei]]) & ownJump_[facei];
+            twice += (uf[facei] - u[own[facei]]) & ownForce_[facei];
         }
     }
     for (const labelList& faces : {zone_.internal, zone_.neiSides})
     {
         for (const label facei : faces)
         {
-            twice += (uf[facei] - u[nei[facei]]) & neiJump_[facei];
+            twice += (uf[facei] - u[nei[facei]]) & neiForce_[facei];
         }
     }
 

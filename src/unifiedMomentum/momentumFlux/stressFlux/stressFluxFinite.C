@@ -55,7 +55,7 @@ void Foam::stressFlux::finiteJumpForces
             stiffness_.axis(facei, owner)
         };
 
-        (owner ? ownJump_ : neiJump_)[facei] =
+        (owner ? ownForce_ : neiForce_)[facei] =
             finite_.jumpForce(facei, owner, A, dx, r, stress_[c]);
     };
 
@@ -120,7 +120,7 @@ Foam::scalar Foam::stressFlux::twiceFiniteEnergy() const
 
     const auto jump = [&](const label facei, const bool owner)
     {
-        const vector& F = owner ? ownJump_[facei] : neiJump_[facei];
+        const vector& F = owner ? ownForce_[facei] : neiForce_[facei];
 
         twice += F & finite_.jump(facei, owner);
     };

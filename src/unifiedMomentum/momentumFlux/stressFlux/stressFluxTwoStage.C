@@ -93,12 +93,13 @@ void Foam::stressFlux::addLinkAdjoint
 }
 
 
-void Foam::stressFlux::setAdjoint()
+void Foam::stressFlux::addAdjoint()
 {
     const fvMesh& mesh = geometry_.mesh();
     const label nInternal = mesh.nInternalFaces();
     const labelUList& own = mesh.faceOwner();
     const labelUList& nei = mesh.faceNeighbour();
+    const vectorField& S = geometry_.S(solid_);
     const scalarField& w = geometry_.w();
     const bool skewed = geometry_.skewed(solid_);
     const bool linked = links_.active();
@@ -114,7 +115,8 @@ void Foam::stressFlux::setAdjoint()
     {
         const label P = own[facei];
         const label N = nei[facei];
-        const vector R(ownForce_[facei] + neiForce_[facei]);
+        const vector F((S[facei] & stress_[P]) + ownForce_[facei]);
+        const vector R(F + (neiForce_[facei] - (S[facei] & stress_[N])));
 
         if (skewed)
         {
@@ -197,57 +199,22 @@ void Foam::stressFlux::setAdjoint()
         {
             Q[celli] = q;
         }
+
+        stress_[celli] += Q[celli];
     }
-}
 
-
-void Foam::stressFlux::addTwoStageForces(vectorField& cellForce)
-{
-    const fvMesh& mesh = geometry_.mesh();
-    const labelUList& own = mesh.faceOwner();
-    const labelUList& nei = mesh.faceNeighbour();
-    const vectorField& S = geometry_.S(solid_);
-    const scalarField& w = geometry_.w();
-
-    for (const label facei : zone_.internal)
-    {
-        ownForce_[facei] =
-            (S[facei] & stress_[own[facei]]) + ownJump_[facei];
-        neiForce_[facei] =
-            neiJump_[facei] - (S[facei] & stress_[nei[facei]]);
-    }
-    setSideForces();
-    setAdjoint();
-
-    const tensorField& Z = adjoint_;
-
-    for (const label facei : zone_.internal)
-    {
-        ownForce_[facei] += S[facei] & Z[own[facei]];
-        neiForce_[facei] -= S[facei] & Z[nei[facei]];
-
-        const vector F
-        (
-            (1 - w[facei])*ownForce_[facei] - w[facei]*neiForce_[facei]
-        );
-
-        cellForce[own[facei]] += F;
-        cellForce[nei[facei]] -= F;
-    }
     for (const label facei : zone_.coupled)
     {
-        ownForce_[facei] += S[facei] & Z[own[facei]];
+        ownForce_[facei] += S[facei] & Q[own[facei]];
     }
     for (const label facei : zone_.ownSides)
     {
-        ownForce_[facei] += S[facei] & Z[own[facei]];
+        ownForce_[facei] += S[facei] & Q[own[facei]];
     }
     for (const label facei : zone_.neiSides)
     {
-        neiForce_[facei] -= S[facei] & Z[nei[facei]];
+        neiForce_[facei] -= S[facei] & Q[nei[facei]];
     }
-
-    addCoupledForces(cellForce);
 }
 
 

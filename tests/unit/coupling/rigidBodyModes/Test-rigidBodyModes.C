@@ -484,7 +484,8 @@ static void testRigid(const Time& runTime, const string& kind)
     solids s(mesh(), freePatches, 1);
 
     const solidNodes nodes(s.flux.geometry());
-    const stressFlux stress(s.flux.geometry(), true);
+    stressFlux::workArrays none;
+    const stressFlux stress(s.flux.geometry(), true, none);
     solidStiffness K(nodes, stress, true);
     K.update
     (

@@ -438,7 +438,8 @@ void Foam::rigidBodyModes::setUp()
     {
         // Not that of the operator: the same at any time step, to the last
         // digit, so that a restart goes on bitwise
-        const stressFlux stress(op_.geometry(), true, false);
+        stressFlux::workArrays none;
+        const stressFlux stress(op_.geometry(), true, none);
 
         stiffness_.reset
         (
