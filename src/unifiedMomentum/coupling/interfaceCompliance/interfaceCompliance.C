@@ -63,7 +63,7 @@ void Foam::interfaceCompliance::setWalls()
                     facei,
                     ownSolid ? nei : own,
                     ownSolid ? own : nei,
-                    ownSolid ? -geometry.n()[facei] : geometry.n()[facei]
+                    ownSolid ? -geometry.n(facei) : geometry.n(facei)
                 }
             );
         }

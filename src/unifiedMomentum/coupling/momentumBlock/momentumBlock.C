@@ -105,7 +105,6 @@ void Foam::momentumBlock::update
     const fvMesh& mesh = geometry.mesh();
     const labelUList& own = mesh.faceOwner();
     const labelUList& nei = mesh.faceNeighbour();
-    const vectorField& n = geometry.n(solid_);
     const fluxGeometry::zone& zone = geometry.cellsAndFaces(solid_);
 
     scalarField out;
@@ -147,7 +146,7 @@ void Foam::momentumBlock::update
                 stiffer
                *(
                     stress.diffusion(facei)
-                  + stress.extraNormal(facei)*sqr(n[facei][k])
+                  + stress.extraNormal(facei)*sqr(geometry.n(solid_, facei)[k])
                 );
         };
 
@@ -177,7 +176,7 @@ void Foam::momentumBlock::update
                 case fluxGeometry::SYMMETRY:
                 {
                     return
-                        sqr(n[facei][k])
+                        sqr(geometry.n(solid_, facei)[k])
                        *(
                             stress.sideDiffusion(facei, owner)
                           + stress.sideExtraNormal(facei, owner)
@@ -189,7 +188,7 @@ void Foam::momentumBlock::update
                         (
                             stress.sideDiffusion(facei, owner)
                           + stress.sideExtraNormal(facei, owner)
-                           *sqr(n[facei][k])
+                           *sqr(geometry.n(solid_, facei)[k])
                         )
                        *(1 - flux_.patchCoeff(facei)(k, k));
                 }

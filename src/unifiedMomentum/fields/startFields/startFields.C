@@ -67,13 +67,13 @@ void Foam::startFields::interpolateVelocity()
         if (geometry_.kind(facei) == fluxGeometry::INTERFACE)
         {
             const scalar inertiaP =
-                rho[own[facei]]/geometry_.hOwn()[facei];
+                rho[own[facei]]/geometry_.hOwn(facei);
             const scalar inertiaN =
                 (
                     mesh.isInternalFace(facei)
                   ? rho[mesh.faceNeighbour()[facei]]
                   : rhoN[facei - mesh.nInternalFaces()]
-                )/geometry_.hNei()[facei];
+                )/geometry_.hNei(facei);
             const vector& uN =
                 mesh.isInternalFace(facei)
               ? U[mesh.faceNeighbour()[facei]]
@@ -143,12 +143,12 @@ void Foam::startFields::extrapolateDisplacement()
         for (const label facei : solid.ownSides)
         {
             sum[facei] +=
-                D[own[facei]] + (geometry_.dOwn()[facei] & G[own[facei]]);
+                D[own[facei]] + (geometry_.dOwn(facei) & G[own[facei]]);
         }
         for (const label facei : solid.neiSides)
         {
             sum[facei] +=
-                D[nei[facei]] + (geometry_.dNei()[facei] & G[nei[facei]]);
+                D[nei[facei]] + (geometry_.dNei(facei) & G[nei[facei]]);
         }
 
         const vectorField sumBeyond(geometry_.neighbourSides(sum));

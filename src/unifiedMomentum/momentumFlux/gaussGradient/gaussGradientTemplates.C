@@ -105,7 +105,7 @@ void Foam::gaussGradient<Type>::correct
         const scalar w = geometry_.w()[facei];
         const GradType Gf(w*GP + (1 - w)*GN);
 
-        uf += geometry_.skew()[facei] & Gf;
+        uf += geometry_.skew(facei) & Gf;
 
         if (geometry_.warped(solid_))
         {
@@ -165,7 +165,7 @@ void Foam::gaussGradient<Type>::correctFaceValues
 
         if (geometry_.skewed(solid_))
         {
-            uf[facei] += mirrored(facei, geometry_.skew()[facei] & GP);
+            uf[facei] += mirrored(facei, geometry_.skew(facei) & GP);
         }
         if (links_)
         {

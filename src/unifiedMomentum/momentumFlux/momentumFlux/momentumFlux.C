@@ -142,13 +142,13 @@ Foam::momentumFlux::momentumFlux
     prescribedForce_(reference_),
     rhoPhi_(U.mesh().nFaces(), 0),
     convectionWeight_(rhoPhi_),
-    convectionCorrection_(U.mesh().nFaces(), Zero),
+    convectionCorrection_(),
     stokesDiag_(U.mesh().nCells(), 0),
     ownShareT_(geometry_.unknownFaces().size(), 0),
     ownShareN_(ownShareT_),
     points_(nullptr),
     interfaceRest_(),
-    uf_(convectionCorrection_),
+    uf_(U.mesh().nFaces(), Zero),
     ownForce_(geometry_),
     neiForce_(geometry_)
 {
@@ -272,10 +272,11 @@ const Foam::pressureFlux& Foam::momentumFlux::extrapolatePressure
 }
 
 
-void Foam::momentumFlux::gradP(const scalarField& dp, vectorField& grad)
+const Foam::vectorField& Foam::momentumFlux::gradP(const scalarField& dp)
 {
     pressure_.interpolate(dp, vectorField(), true);
-    grad = pressure_.grad();
+
+    return pressure_.grad();
 }
 
 

@@ -36,11 +36,13 @@ void Foam::momentumFlux::addConvection
     const labelUList& nei = mesh.faceNeighbour();
     const fluxGeometry::zone& fluid = geometry_.cellsAndFaces(false);
 
+    const bool corrected = convectionCorrection_.size();
+
     const auto flux = [&](const label facei, const vector& UN)
     {
         const scalar w = convectionWeight_[facei];
         vector u(w*U[own[facei]] + (1 - w)*UN);
-        if (!homogeneous)
+        if (!homogeneous && corrected)
         {
             u += convectionCorrection_[facei];
         }
@@ -162,6 +164,7 @@ void Foam::momentumFlux::setConvection
     if (scheme.corrected())
     {
         const surfaceVectorField correction(scheme.correction(U));
+        convectionCorrection_.setSize(mesh.nFaces(), Zero);
 
         for (const label facei : fluid.internal)
         {

@@ -34,8 +34,8 @@ void Foam::stressFlux::jumpForces(const vectorField& u, const vectorField& uf)
     const fvMesh& mesh = geometry_.mesh();
     const labelUList& own = mesh.faceOwner();
     const labelUList& nei = mesh.faceNeighbour();
-    const vectorField& dOwn = geometry_.dOwn();
-    const vectorField& dNei = geometry_.dNei();
+    const vectorField& C = geometry_.cellCentres(solid_);
+    const vectorField& Cf = geometry_.faceCentres(solid_);
     const scalarField& V = geometry_.V();
 
     for (const label celli : zone_.cells)
@@ -48,19 +48,23 @@ void Foam::stressFlux::jumpForces(const vectorField& u, const vectorField& uf)
     const auto ownSide = [&](const label facei)
     {
         const label c = own[facei];
-        const vector r(uf[facei] - u[c] - (dOwn[facei] & grad_[c]));
+        const vector dx(Cf[facei] - C[c]);
+        const vector r(uf[facei] - u[c] - (dx & grad_[c]));
+        const vector F(factor_*stiffness_.own(facei, c, dx, r));
 
-        ownForce_[facei] = stiffness_.own(facei, r);
-        stress_[c] += dOwn[facei]*ownForce_[facei];
+        ownForce_[facei] = F;
+        stress_[c] += dx*F;
     };
 
     const auto neiSide = [&](const label facei)
     {
         const label c = nei[facei];
-        const vector r(uf[facei] - u[c] - (dNei[facei] & grad_[c]));
+        const vector dx(Cf[facei] - C[c]);
+        const vector r(uf[facei] - u[c] - (dx & grad_[c]));
+        const vector F(factor_*stiffness_.nei(facei, c, dx, r));
 
-        neiForce_[facei] = stiffness_.nei(facei, r);
-        stress_[c] += dNei[facei]*neiForce_[facei];
+        neiForce_[facei] = F;
+        stress_[c] += dx*F;
     };
 
     for (const label facei : zone_.internal)
@@ -183,10 +187,11 @@ Foam::stressFlux::stressFlux
     geometry_(geometry),
     solid_(solid),
     zone_(geometry.cellsAndFaces(solid)),
+    factor_(1),
     mu_(geometry.materials().materials().size()),
     lambda_(mu_.size()),
     links_(geometry, solid),
-    stiffness_(geometry, links_),
+    stiffness_(geometry, solid, links_, work.stiffness),
     finite_(geometry, solid),
     finiteLinks_
     (
@@ -206,6 +211,7 @@ Foam::stressFlux::stressFlux
         adjoint_.setSize(grad_.size(), Zero);
     }
 
+    links_.forgetLengths();
     setFactor(1);
 }
 
@@ -222,15 +228,14 @@ void Foam::stressFlux::setFactor(const scalar factor)
         lambda_[materiali] = factor*materials.materials()[materiali].lambda();
     }
 
-    stiffness_.set(mu_, lambda_);
+    factor_ = factor;
     finite_.setScale(factor);
 }
 
 
 void Foam::stressFlux::updateGeometry()
 {
-    stiffness_.updateLengths();
-    stiffness_.set(mu_, lambda_);
+    stiffness_.updateGeometry(links_);
 }
 
 
@@ -320,7 +325,7 @@ Foam::scalar Foam::stressFlux::diffusion(const label facei) const
     return
         mu_[geometry_.materials().materialIndex(celli)]
        *mag(geometry_.S(solid_)[facei])
-       /(geometry_.hOwn()[facei] + geometry_.hNei()[facei]);
+       /(geometry_.hOwn(facei) + geometry_.hNei(facei));
 }
 
 
@@ -332,7 +337,7 @@ Foam::scalar Foam::stressFlux::extraNormal(const label facei) const
     return
         (mu_[materiali] + lambda_[materiali])
        *mag(geometry_.S(solid_)[facei])
-       /(geometry_.hOwn()[facei] + geometry_.hNei()[facei]);
+       /(geometry_.hOwn(facei) + geometry_.hNei(facei));
 }
 
 
@@ -345,14 +350,14 @@ Foam::scalar Foam::stressFlux::sideDiffusion
     const fvMesh& mesh = geometry_.mesh();
     const label celli =
         owner ? mesh.faceOwner()[facei] : mesh.faceNeighbour()[facei];
-    const scalar h = owner ? geometry_.hOwn()[facei] : geometry_.hNei()[facei];
+    const scalar h = owner ? geometry_.hOwn(facei) : geometry_.hNei(facei);
 
     return
         0.5
        *(
             mu_[geometry_.materials().materialIndex(celli)]
            *mag(geometry_.S(solid_)[facei])/h
-          + stiffness_.across(facei, owner)
+          + factor_*stiffness_.across(facei, owner)
         );
 }
 
@@ -367,14 +372,14 @@ Foam::scalar Foam::stressFlux::sideExtraNormal
     const label celli =
         owner ? mesh.faceOwner()[facei] : mesh.faceNeighbour()[facei];
     const label materiali = geometry_.materials().materialIndex(celli);
-    const scalar h = owner ? geometry_.hOwn()[facei] : geometry_.hNei()[facei];
+    const scalar h = owner ? geometry_.hOwn(facei) : geometry_.hNei(facei);
 
     return
         0.5
        *(
             (mu_[materiali] + lambda_[materiali])
            *mag(geometry_.S(solid_)[facei])/h
-          + stiffness_.extraNormal(facei, owner)
+          + factor_*stiffness_.extraNormal(facei, owner)
         );
 }
 

@@ -44,14 +44,14 @@ void Foam::stressFlux::finiteJumpForces
     {
         const label c =
             owner ? mesh.faceOwner()[facei] : mesh.faceNeighbour()[facei];
-        const vector& dx =
-            owner ? geometry_.dOwn()[facei] : geometry_.dNei()[facei];
+        const vector dx =
+            owner ? geometry_.dOwn(facei) : geometry_.dNei(facei);
         const vector r(uf[facei] - u[c] - (dx & grad_[c]));
 
         const finiteStrain::sideStiffness A
         {
-            stiffness_.across(facei, owner),
-            stiffness_.along(facei, owner),
+            factor_*stiffness_.across(facei, owner),
+            factor_*stiffness_.along(facei, owner),
             stiffness_.axis(facei, owner)
         };
 

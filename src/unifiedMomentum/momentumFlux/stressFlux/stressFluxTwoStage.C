@@ -46,7 +46,7 @@ Foam::tensor Foam::stressFlux::skewAdjoint
     const tensor& neiStress
 ) const
 {
-    tensor q(geometry_.skew()[facei]*R);
+    tensor q(geometry_.skew(facei)*R);
 
     if (geometry_.warped(solid_))
     {
@@ -170,7 +170,7 @@ void Foam::stressFlux::addAdjoint()
 
         if (skewed)
         {
-            Q[own[facei]] += geometry_.skew()[facei]*R;
+            Q[own[facei]] += geometry_.skew(facei)*R;
         }
         if (linked)
         {

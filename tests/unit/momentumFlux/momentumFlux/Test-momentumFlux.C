@@ -311,7 +311,7 @@ static void testConservation
         const label facei = g.unknownFaces()[i];
         if (g.kind(facei) == fluxGeometry::SLIP)
         {
-            const vector& n = g.n()[facei];
+            const vector n(g.n(facei));
             e.z.Uf[i] -= (e.z.Uf[i] & n)*n;
         }
     }
@@ -324,7 +324,7 @@ static void testConservation
     forAll(mesh->faces(), facei)
     {
         const vector& F = e.flux.sideForce(true)[facei];
-        const vector normal((F & g.n()[facei])*g.n()[facei]);
+        const vector normal((F & g.n(facei))*g.n(facei));
         const scalar S = mag(mesh->faceAreas()[facei]);
         const label i = g.unknownIndex()[facei];
 
@@ -334,7 +334,7 @@ static void testConservation
         }
         else if (g.kind(facei) == fluxGeometry::TRACTION)
         {
-            const vector t(vector(1, 2, 3) - 0.5*g.n()[facei]);
+            const vector t(vector(1, 2, 3) - 0.5*g.n(facei));
             given += S*t;
             shareError = max(shareError, mag(e.faceForce[i] - F + S*t));
             ++n[0];
@@ -727,7 +727,7 @@ static void weightedSums
         e.z.Uf[i] = smoothVector(Cf[facei], 4);
         if (g.kind(facei) == fluxGeometry::SLIP)
         {
-            const vector& n = g.n()[facei];
+            const vector n(g.n(facei));
             e.z.Uf[i] -= (e.z.Uf[i] & n)*n;
             e.offset.faces[facei] -= (e.offset.faces[facei] & n)*n;
         }

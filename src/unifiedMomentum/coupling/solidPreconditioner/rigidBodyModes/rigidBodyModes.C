@@ -222,10 +222,10 @@ Foam::labelList Foam::rigidBodyModes::aggregates(const label nPasses) const
                 nodes_.ofCell(own),
                 nodes_.ofCell(nei),
                 mag(geometry.S(true)[facei]),
-                (geometry.hOwn()[facei] + geometry.hNei()[facei])
+                (geometry.hOwn(facei) + geometry.hNei(facei))
                /(
-                    geometry.hOwn()[facei]/materials[own].shear()
-                  + geometry.hNei()[facei]/materials[nei].shear()
+                    geometry.hOwn(facei)/materials[own].shear()
+                  + geometry.hNei(facei)/materials[nei].shear()
                 )
             });
         }
@@ -402,7 +402,7 @@ bool Foam::rigidBodyModes::takeShape()
                 (shape.cells[nei] - shape_.cells[nei])
               - (shape.cells[own] - shape_.cells[own])
             );
-            const vector d(geometry.dOwn()[facei] - geometry.dNei()[facei]);
+            const vector d(geometry.dOwn(facei) - geometry.dNei(facei));
 
             turned = max(turned, magSqr(change)/magSqr(d));
         }
