@@ -150,6 +150,9 @@ void Foam::interfaceCompliance::setRowSum
                 }
             }
         }
+
+        // All at once would be the most memory that a run takes
+        block.forget(k);
     }
 }
 

@@ -76,7 +76,7 @@ void Foam::sweep::setPressure()
         return
             ((1 - w[facei])*D_[own[facei]] + w[facei]*DN)
            *mag(mesh.faceAreas()[facei])
-           /(geometry.hOwn(facei) + geometry.hNei(facei));
+           /geometry.dn()[facei];
     };
 
     const scalarField DN(geometry.neighbourValues(D_));

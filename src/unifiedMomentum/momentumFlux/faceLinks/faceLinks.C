@@ -182,7 +182,7 @@ void Foam::faceLinks::setTwist(const cellLengths& lengths)
                 w[facei]*sqr(shortest[own[facei]])
               + (1 - w[facei])*sqr(shortestN)
             )
-           /(geometry_.hOwn(facei) + geometry_.hNei(facei))
+           /geometry_.dn()[facei]
            /magSqr(d(facei));
     };
 

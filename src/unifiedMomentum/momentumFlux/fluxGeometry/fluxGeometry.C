@@ -191,7 +191,8 @@ void Foam::fluxGeometry::setLengths()
         {
             const scalar h = hNei(facei);
 
-            w_[facei] = h/(hOwn(facei) + h);
+            dn_[facei] = hOwn(facei) + h;
+            w_[facei] = h/dn_[facei];
         }
     }
 }
@@ -446,6 +447,7 @@ Foam::fluxGeometry::fluxGeometry
     skewed_{false, false},
     warped_{false, false},
     w_(mesh_.nFaces(), 0),
+    dn_(mesh_.nFaces(), 0),
     warp_(),
     dBeyond_(),
     V_(mesh_.cellVolumes()),

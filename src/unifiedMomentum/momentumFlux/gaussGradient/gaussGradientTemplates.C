@@ -68,6 +68,7 @@ template<class Type>
 void Foam::gaussGradient<Type>::link
 (
     const label facei,
+    const vector& d,
     const tensor& GP,
     const tensor& GN,
     vector& uf
@@ -82,11 +83,11 @@ void Foam::gaussGradient<Type>::link
     }
 
     const tensor dG(GN - GP);
-    uf += links_->value(facei, dG);
+    uf += links_->value(facei, d, dG);
 
     if (links_->twists())
     {
-        rotation_[facei] = links_->rotation(facei, dG);
+        rotation_[facei] = faceLinks::rotation(d, dG);
     }
 }
 
@@ -94,6 +95,7 @@ void Foam::gaussGradient<Type>::link
 template<class Type>
 void Foam::gaussGradient<Type>::correct
 (
+    const fluxGeometry::inside& inside,
     const label facei,
     const GradType& GP,
     const GradType& GN,
@@ -105,7 +107,7 @@ void Foam::gaussGradient<Type>::correct
         const scalar w = geometry_.w()[facei];
         const GradType Gf(w*GP + (1 - w)*GN);
 
-        uf += geometry_.skew(facei) & Gf;
+        uf += inside.skew(facei) & Gf;
 
         if (geometry_.warped(solid_))
         {
@@ -115,7 +117,7 @@ void Foam::gaussGradient<Type>::correct
 
     if (links_)
     {
-        link(facei, GP, GN, uf);
+        link(facei, inside.d(facei), GP, GN, uf);
     }
 }
 
@@ -130,6 +132,8 @@ void Foam::gaussGradient<Type>::correctFaceValues
     const fvMesh& mesh = geometry_.mesh();
     const labelUList& own = mesh.faceOwner();
     const labelUList& nei = mesh.faceNeighbour();
+
+    const fluxGeometry::inside inside(geometry_, solid_);
 
     sumFaces(uf, G);
 
@@ -152,6 +156,7 @@ void Foam::gaussGradient<Type>::correctFaceValues
     {
         correct
         (
+            inside,
             facei,
             G[own[facei]],
             G[nei[facei]],
@@ -181,6 +186,7 @@ void Foam::gaussGradient<Type>::correctFaceValues
         {
             correct
             (
+                inside,
                 facei,
                 G[own[facei]],
                 GN[facei - mesh.nInternalFaces()],

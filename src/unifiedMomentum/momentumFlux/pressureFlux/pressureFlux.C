@@ -324,7 +324,7 @@ void Foam::pressureFlux::setRhieChow(const scalarField& D)
         return
             ((1 - w[facei])*D[own[facei]] + w[facei]*DN)
            *mag(geometry_.S(false)[facei])
-           /(geometry_.hOwn(facei) + geometry_.hNei(facei));
+           /geometry_.dn()[facei];
     };
 
     for (const label facei : zone_.internal)

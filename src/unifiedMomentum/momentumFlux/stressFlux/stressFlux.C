@@ -36,6 +36,7 @@ void Foam::stressFlux::jumpForces(const vectorField& u, const vectorField& uf)
     const labelUList& nei = mesh.faceNeighbour();
     const vectorField& C = geometry_.cellCentres(solid_);
     const vectorField& Cf = geometry_.faceCentres(solid_);
+    const vectorField& S = geometry_.S(solid_);
     const scalarField& V = geometry_.V();
 
     for (const label celli : zone_.cells)
@@ -50,7 +51,8 @@ void Foam::stressFlux::jumpForces(const vectorField& u, const vectorField& uf)
         const label c = own[facei];
         const vector dx(Cf[facei] - C[c]);
         const vector r(uf[facei] - u[c] - (dx & grad_[c]));
-        const vector F(factor_*stiffness_.own(facei, c, dx, r));
+        const vector& e = stiffness_.axis(c, dx, S[facei]);
+        const vector F(factor_*stiffness_.own(facei, e, r));
 
         ownForce_[facei] = F;
         stress_[c] += dx*F;
@@ -61,7 +63,8 @@ void Foam::stressFlux::jumpForces(const vectorField& u, const vectorField& uf)
         const label c = nei[facei];
         const vector dx(Cf[facei] - C[c]);
         const vector r(uf[facei] - u[c] - (dx & grad_[c]));
-        const vector F(factor_*stiffness_.nei(facei, c, dx, r));
+        const vector& e = stiffness_.axis(c, dx, S[facei]);
+        const vector F(factor_*stiffness_.nei(facei, e, r));
 
         neiForce_[facei] = F;
         stress_[c] += dx*F;
@@ -325,7 +328,7 @@ Foam::scalar Foam::stressFlux::diffusion(const label facei) const
     return
         mu_[geometry_.materials().materialIndex(celli)]
        *mag(geometry_.S(solid_)[facei])
-       /(geometry_.hOwn(facei) + geometry_.hNei(facei));
+       /geometry_.dn()[facei];
 }
 
 
@@ -337,7 +340,7 @@ Foam::scalar Foam::stressFlux::extraNormal(const label facei) const
     return
         (mu_[materiali] + lambda_[materiali])
        *mag(geometry_.S(solid_)[facei])
-       /(geometry_.hOwn(facei) + geometry_.hNei(facei));
+       /geometry_.dn()[facei];
 }
 
 

@@ -23,30 +23,16 @@ License
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::scalar Foam::stressFlux::twistMoment(const label facei) const
-{
-    if (!links_.twists())
-    {
-        return 0;
-    }
-
-    const label celli = geometry_.mesh().faceOwner()[facei];
-
-    return
-        mu_[geometry_.materials().materialIndex(celli)]
-       *links_.twist(facei)*gradient_.rotation()[facei];
-}
-
-
 Foam::tensor Foam::stressFlux::skewAdjoint
 (
+    const fluxGeometry::inside& inside,
     const label facei,
     const vector& R,
     const tensor& ownStress,
     const tensor& neiStress
 ) const
 {
-    tensor q(geometry_.skew(facei)*R);
+    tensor q(inside.skew(facei)*R);
 
     if (geometry_.warped(solid_))
     {
@@ -61,13 +47,15 @@ Foam::tensor Foam::stressFlux::skewAdjoint
 
 void Foam::stressFlux::addLinkAdjoint
 (
+    const fluxGeometry::inside& inside,
     const label facei,
+    const label celli,
     const vector& R,
     tensor& QP,
     tensor* QN
 )
 {
-    const scalar moment = twistMoment(facei);
+    const scalar moment = twistMoment(facei, celli);
 
     if (finiteLinks_.valid())
     {
@@ -83,7 +71,7 @@ void Foam::stressFlux::addLinkAdjoint
         return;
     }
 
-    const tensor q(links_.adjoint(facei, R, moment));
+    const tensor q(links_.adjoint(facei, inside.d(facei), R, moment));
 
     QP -= q;
     if (QN)
@@ -103,6 +91,7 @@ void Foam::stressFlux::addAdjoint()
     const scalarField& w = geometry_.w();
     const bool skewed = geometry_.skewed(solid_);
     const bool linked = links_.active();
+    const fluxGeometry::inside inside(geometry_, solid_);
 
     tensorField& Q = adjoint_;
 
@@ -120,13 +109,16 @@ void Foam::stressFlux::addAdjoint()
 
         if (skewed)
         {
-            const tensor q(skewAdjoint(facei, R, stress_[P], stress_[N]));
+            const tensor q
+            (
+                skewAdjoint(inside, facei, R, stress_[P], stress_[N])
+            );
             Q[P] += w[facei]*q;
             Q[N] += (1 - w[facei])*q;
         }
         if (linked)
         {
-            addLinkAdjoint(facei, R, Q[P], &Q[N]);
+            addLinkAdjoint(inside, facei, P, R, Q[P], &Q[N]);
         }
     }
 
@@ -151,6 +143,7 @@ void Foam::stressFlux::addAdjoint()
                     w[facei]
                    *skewAdjoint
                     (
+                        inside,
                         facei,
                         R,
                         stress_[P],
@@ -159,7 +152,7 @@ void Foam::stressFlux::addAdjoint()
             }
             if (linked)
             {
-                addLinkAdjoint(facei, R, Q[P], nullptr);
+                addLinkAdjoint(inside, facei, P, R, Q[P], nullptr);
             }
         }
     }

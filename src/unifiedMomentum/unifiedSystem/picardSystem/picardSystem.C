@@ -67,6 +67,7 @@ void Foam::picardSystem::tryOut()
 {
     sweep_.update();
     sweep_.tryOut();
+    sweep_.release();
 }
 
 
@@ -90,6 +91,7 @@ void Foam::picardSystem::updateGeometry()
 void Foam::picardSystem::update(const surfaceScalarField& phi)
 {
     sweep_.update();
+    sweep_.release();
     failure_.checkDiagonal();
     sweep_.enclosed().checkFlux(phi);
     residuals_.setElastic(known_.D);
