@@ -97,9 +97,10 @@ void Foam::faceLinks::setLinks(const cellLengths& lengths)
     index_.setSize(mesh.nFaces(), -1);
     DynamicList<symmTensor> k;
 
+    // What is left by round-off is no link
     const auto keep = [&](const label facei, const symmTensor& kf)
     {
-        if (mag(kf) > 0)
+        if (mag(kf) > 1e-12)
         {
             index_[facei] = k.size();
             k.append(kf);

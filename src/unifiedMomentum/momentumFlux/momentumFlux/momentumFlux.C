@@ -141,7 +141,12 @@ Foam::momentumFlux::momentumFlux
     reference_(coeff_.size(), Zero),
     prescribedForce_(reference_),
     rhoPhi_(U.mesh().nFaces(), 0),
-    convectionWeight_(rhoPhi_),
+    convectionWeight_
+    (
+        geometry_.cellsAndFaces(false).internal.size()
+      + geometry_.cellsAndFaces(false).coupled.size(),
+        0
+    ),
     convectionCorrection_(),
     stokesDiag_(U.mesh().nCells(), 0),
     ownShareT_(geometry_.unknownFaces().size(), 0),

@@ -20,6 +20,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "momentumFlux.H"
+#include "faceValue.H"
 #include "gaussConvectionScheme.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -38,20 +39,23 @@ void Foam::momentumFlux::addConvection
 
     const bool corrected = convectionCorrection_.size();
 
-    const auto flux = [&](const label facei, const vector& UN)
+    // Face i of internal and coupled faces
+    const auto flux = [&](const label i, const label facei, const vector& UN)
     {
-        const scalar w = convectionWeight_[facei];
+        const scalar w = convectionWeight_[i];
         vector u(w*U[own[facei]] + (1 - w)*UN);
         if (!homogeneous && corrected)
         {
-            u += convectionCorrection_[facei];
+            u += convectionCorrection_[i];
         }
         return rhoPhi_[facei]*u;
     };
 
-    for (const label facei : fluid.internal)
+    forAll(fluid.internal, i)
     {
-        const vector F(flux(facei, U[nei[facei]]));
+        const label facei = fluid.internal[i];
+        const vector F(flux(i, facei, U[nei[facei]]));
+
         cellForce[own[facei]] -= F;
         cellForce[nei[facei]] += F;
     }
@@ -60,10 +64,16 @@ void Foam::momentumFlux::addConvection
     {
         const vectorField UN(geometry_.neighbourValues(U));
 
-        for (const label facei : fluid.coupled)
+        forAll(fluid.coupled, i)
         {
-            cellForce[own[facei]] -=
-                flux(facei, UN[facei - mesh.nInternalFaces()]);
+            const label facei = fluid.coupled[i];
+
+            cellForce[own[facei]] -= flux
+            (
+                fluid.internal.size() + i,
+                facei,
+                UN[facei - mesh.nInternalFaces()]
+            );
         }
     }
 
@@ -132,10 +142,17 @@ void Foam::momentumFlux::setConvection
         return geometry_.materials()[mesh.faceOwner()[facei]].rho();
     };
 
-    for (const label facei : fluid.internal)
+    forAll(fluid.internal, i)
     {
+        const label facei = fluid.internal[i];
+
         rhoPhi_[facei] = rho(facei)*phi[facei];
-        convectionWeight_[facei] = weights[facei];
+        convectionWeight_[i] = weights[facei];
+    }
+    forAll(fluid.coupled, i)
+    {
+        convectionWeight_[fluid.internal.size() + i] =
+            faceValue(weights, fluid.coupled[i]);
     }
 
     forAll(mesh.boundary(), patchi)
@@ -156,7 +173,6 @@ void Foam::momentumFlux::setConvection
             )
             {
                 rhoPhi_[facei] = rho(facei)*phi.boundaryField()[patchi][i];
-                convectionWeight_[facei] = weights.boundaryField()[patchi][i];
             }
         }
     }
@@ -164,20 +180,16 @@ void Foam::momentumFlux::setConvection
     if (scheme.corrected())
     {
         const surfaceVectorField correction(scheme.correction(U));
-        convectionCorrection_.setSize(mesh.nFaces(), Zero);
+        convectionCorrection_.setSize(convectionWeight_.size());
 
-        for (const label facei : fluid.internal)
+        forAll(fluid.internal, i)
         {
-            convectionCorrection_[facei] = correction[facei];
+            convectionCorrection_[i] = correction[fluid.internal[i]];
         }
-        for (const label facei : fluid.coupled)
+        forAll(fluid.coupled, i)
         {
-            const label patchi = mesh.boundaryMesh().whichPatch(facei);
-            convectionCorrection_[facei] =
-                correction.boundaryField()[patchi]
-                [
-                    facei - mesh.boundary()[patchi].start()
-                ];
+            convectionCorrection_[fluid.internal.size() + i] =
+                faceValue(correction, fluid.coupled[i]);
         }
     }
 }

@@ -36,7 +36,7 @@ Foam::picardSystem::picardSystem
         flux.geometry().mesh().solutionDict().subDict("PIMPLE")
        .subOrEmptyDict("krylov")
     ),
-    known_(),
+    known_(flux.geometry()),
     z_
     (
         flux.geometry().mesh().nCells(),
@@ -50,15 +50,7 @@ Foam::picardSystem::picardSystem
     failure_(flux.geometry(), sweep_, controls, residuals_),
     nSweeps_(0),
     progress_()
-{
-    const label nCells = z_.U.size();
-
-    known_.U.setSize(nCells, Zero);
-    known_.D.cells.setSize(nCells, Zero);
-    known_.D.faces.setSize(flux.geometry().mesh().nFaces(), Zero);
-    known_.volumeError.setSize(nCells, 0);
-    known_.force.setSize(nCells, Zero);
-}
+{}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //

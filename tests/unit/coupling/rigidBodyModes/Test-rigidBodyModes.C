@@ -398,10 +398,7 @@ static void testTurned(const Time& runTime, const label nD)
     vectorField D(mesh->nCells());
     vectorField Df(mesh->nFaces());
     unifiedVector v(s.zero());
-    momentumFlux::displacementVelocity none
-    {
-        vectorField(mesh->nCells(), Zero), vectorField(mesh->nFaces(), Zero)
-    };
+    const momentumFlux::displacementVelocity none(s.flux.geometry());
     forAll(D, celli)
     {
         D[celli] = displacement(mesh->cellCentres()[celli]);

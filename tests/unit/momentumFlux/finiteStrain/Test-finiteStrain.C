@@ -58,11 +58,7 @@ public:
     explicit finiteOperator(const fvMesh& mesh)
     :
         solidOperator(mesh),
-        rest_
-        {
-            vectorField(mesh.nCells(), Zero),
-            vectorField(mesh.nFaces(), Zero)
-        }
+        rest_(geometry())
     {}
 
     const hyperelastic& law() const

@@ -77,11 +77,7 @@ struct evaluation
         p(pressure(mesh, patchesP)),
         flux(zones, U(), p()),
         z(mesh.nCells(), flux.geometry().unknownFaces().size()),
-        offset
-        {
-            vectorField(mesh.nCells(), Zero),
-            vectorField(mesh.nFaces(), Zero)
-        },
+        offset(flux.geometry()),
         cellForce(mesh.nCells(), Zero),
         faceForce(z.Uf.size(), Zero)
     {
@@ -107,7 +103,7 @@ struct evaluation
         fill(z.U);
         fill(z.Uf);
         fill(offset.cells);
-        fill(offset.faces);
+        fill(offset.faces.values());
         for (const label celli : geometry().cellsAndFaces(false).cells)
         {
             z.p[celli] = next();
@@ -457,9 +453,12 @@ static void testSymmetryPlane
             e.offset.cells[celli] = smooth(x, 3);
             e.z.p[celli] = e.zones.solid(celli) ? 0 : even(x, 4);
         }
-        forAll(e.offset.faces, facei)
+        forAll(mesh->faces(), facei)
         {
-            e.offset.faces[facei] = smooth(mesh->faceCentres()[facei], 3);
+            if (e.geometry().kind(facei) != fluxGeometry::INSIDE)
+            {
+                e.offset.faces[facei] = smooth(mesh->faceCentres()[facei], 3);
+            }
         }
         forAll(e.z.Uf, i)
         {
@@ -719,7 +718,10 @@ static void weightedSums
     }
     forAll(Cf, facei)
     {
-        e.offset.faces[facei] = smoothVector(Cf[facei], 3);
+        if (g.kind(facei) != fluxGeometry::INSIDE)
+        {
+            e.offset.faces[facei] = smoothVector(Cf[facei], 3);
+        }
     }
     forAll(e.z.Uf, i)
     {
