@@ -175,7 +175,7 @@ Foam::faceStiffness::faceStiffness
 
     for (scalarField* values : {&a_.ownT, &a_.ownN, &a_.neiT, &a_.neiN})
     {
-        values->setSize(geometry.mesh().nFaces(), 0);
+        values->setSize(geometry.nFaces(), 0);
     }
 
     set(links);

@@ -129,6 +129,12 @@ void Foam::fluxGeometry::setKinds(const volVectorField& U)
     }
 
     reduce(anyCoupled_, orOp<bool>());
+
+    nFaces_ = mesh_.nFaces();
+    while (nFaces_ > nInternal && kind_[nFaces_ - 1] == IGNORED)
+    {
+        --nFaces_;
+    }
 }
 
 
@@ -416,6 +422,17 @@ void Foam::fluxGeometry::setUnknowns()
         }
     }
 
+    patchSide_.setSize(mesh_.nFaces() - mesh_.nInternalFaces(), -1);
+    nSides_ = nInterfaces_;
+
+    forAll(patchSide_, i)
+    {
+        if (kind_[mesh_.nInternalFaces() + i] != IGNORED)
+        {
+            patchSide_[i] = nSides_++;
+        }
+    }
+
     unknownFaces_.transfer(faces);
     unknownWeight_.setSize(unknownFaces_.size(), 1);
 
@@ -441,25 +458,29 @@ Foam::fluxGeometry::fluxGeometry
     mesh_(U.mesh()),
     materials_(materials),
     kind_(mesh_.nFaces(), IGNORED),
+    nFaces_(0),
     anyCoupled_(false),
     moves_(moves),
     started_(false),
     skewed_{false, false},
     warped_{false, false},
-    w_(mesh_.nFaces(), 0),
-    dn_(mesh_.nFaces(), 0),
+    w_(),
+    dn_(),
     warp_(),
     dBeyond_(),
     V_(mesh_.cellVolumes()),
     invB_(),
     unknownIndex_(mesh_.nFaces(), -1),
-    nInterfaces_(0)
+    nInterfaces_(0),
+    nSides_(0)
 {
     setKinds(U);
     if (moves_)
     {
         keepReference();
     }
+    w_.setSize(nFaces_, 0);
+    dn_.setSize(nFaces_, 0);
     dBeyond_.setSize
     (
         anyCoupled_ ? mesh_.nFaces() - mesh_.nInternalFaces() : 0

@@ -137,10 +137,10 @@ Foam::momentumFlux::momentumFlux
     solidStress_(geometry_, true, work_),
     pressure_(geometry_, p),
     betaDt_(0),
-    coeff_(U.mesh().nFaces() - U.mesh().nInternalFaces(), Zero),
-    reference_(coeff_.size(), Zero),
-    prescribedForce_(reference_),
-    rhoPhi_(U.mesh().nFaces(), 0),
+    coeff_(geometry_),
+    reference_(geometry_),
+    prescribedForce_(geometry_),
+    rhoPhi_(geometry_.nFaces(), 0),
     convectionWeight_
     (
         geometry_.cellsAndFaces(false).internal.size()
@@ -153,7 +153,7 @@ Foam::momentumFlux::momentumFlux
     ownShareN_(ownShareT_),
     points_(nullptr),
     interfaceRest_(),
-    uf_(U.mesh().nFaces(), Zero),
+    uf_(geometry_.nFaces(), Zero),
     ownForce_(geometry_),
     neiForce_(geometry_)
 {
@@ -220,8 +220,7 @@ void Foam::momentumFlux::updateBoundary
     forAll(U.boundaryField(), patchi)
     {
         const fvPatchVectorField& Up = U.boundaryField()[patchi];
-        const label start =
-            Up.patch().start() - geometry_.mesh().nInternalFaces();
+        const label start = Up.patch().start();
 
         if (Up.coupled() || Up.empty())
         {

@@ -45,13 +45,11 @@ void Foam::momentumFlux::setFaceVelocities
         }
         else
         {
-            const label i = facei - mesh.nInternalFaces();
-
-            u = coeff_[i] & z.U[mesh.faceOwner()[facei]];
+            u = coeff_[facei] & z.U[mesh.faceOwner()[facei]];
 
             if (!homogeneous)
             {
-                u += reference_[i];
+                u += reference_[facei];
             }
         }
 
@@ -236,7 +234,7 @@ void Foam::momentumFlux::forces
             (
                 homogeneous
               ? vector(Zero)
-              : prescribedForce_[facei - mesh.nInternalFaces()]
+              : prescribedForce_[facei]
             );
 
             cellForce[own[facei]] += given;

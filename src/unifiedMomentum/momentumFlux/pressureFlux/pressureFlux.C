@@ -218,7 +218,7 @@ Foam::pressureFlux::pressureFlux
     internalCoeff_(geometry),
     reference_(geometry),
     anyIncomplete_(false),
-    rhieChow_(geometry.mesh().nFaces(), 0),
+    rhieChow_(geometry.nFaces(), 0),
     gradient_(geometry, false),
     pf_(rhieChow_),
     grad_(geometry.mesh().nCells(), Zero)
@@ -391,7 +391,7 @@ void Foam::pressureFlux::addPatchFlux
 void Foam::pressureFlux::addDynamicHeads
 (
     const direction k,
-    const tensorField& patchCoeff,
+    const sideField<tensor>& patchCoeff,
     scalarField& cellCoeffs
 ) const
 {
@@ -401,7 +401,7 @@ void Foam::pressureFlux::addDynamicHeads
     {
         const vector ofCell
         (
-            head.c & patchCoeff[head.facei - mesh.nInternalFaces()]
+            head.c & patchCoeff[head.facei]
         );
 
         cellCoeffs[mesh.faceOwner()[head.facei]] +=

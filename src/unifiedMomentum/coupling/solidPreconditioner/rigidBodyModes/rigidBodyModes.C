@@ -435,23 +435,18 @@ void Foam::rigidBodyModes::setUp()
     smoother_.clear();
     stiffness_.clear();
 
-    {
-        // Not that of the operator: the same at any time step, to the last
-        // digit, so that a restart goes on bitwise
-        stressFlux::workArrays none;
-        const stressFlux stress(op_.geometry(), true, none);
-
-        stiffness_.reset
+    // Without the factor beta dt: the same at any time step, to the last
+    // digit, so that a restart goes on bitwise
+    stiffness_.reset
+    (
+        new solidStiffness
         (
-            new solidStiffness
-            (
-                nodes_,
-                stress,
-                allInOne || ownDirect,
-                shape_.cells.size() ? &shape_ : nullptr
-            )
-        );
-    }
+            nodes_,
+            op_.flux().stress(true),
+            allInOne || ownDirect,
+            shape_.cells.size() ? &shape_ : nullptr
+        )
+    );
     smoother_.reset(new operatorSmoother(op_, faces_, stiffness_()));
 
     // Without inertia and fluid
