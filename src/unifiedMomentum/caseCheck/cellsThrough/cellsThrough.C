@@ -49,7 +49,7 @@ Foam::label Foam::cellsThrough::exit
         }
 
         const scalar cosine =
-            (geometry_.n(true)[facei] & along)
+            (geometry_.n(true, facei) & along)
            *(mesh.faceOwner()[facei] == celli ? 1 : -1);
 
         if (cosine > most)
@@ -92,7 +92,7 @@ Foam::cellsThrough::cellsThrough(const fluxGeometry& geometry)
         {
             const label own = mesh.faceOwner()[facei];
             const bool internal = mesh.isInternalFace(facei);
-            const vector& n = geometry.n(true)[facei];
+            const vector n(geometry.n(true, facei));
 
             if (materials.solid(own))
             {

@@ -52,10 +52,13 @@ Foam::materialFigures::materialFigures(const fluxGeometry& geometry)
         f.aspect =
             max(f.aspect, lengths.longest(celli)/lengths.shortest(celli));
 
-        for (const label pointi : mesh.cellPoints()[celli])
+        for (const label facei : mesh.cells()[celli])
         {
-            f.least = min(f.least, mesh.points()[pointi]);
-            f.most = max(f.most, mesh.points()[pointi]);
+            for (const label pointi : mesh.faces()[facei])
+            {
+                f.least = min(f.least, mesh.points()[pointi]);
+                f.most = max(f.most, mesh.points()[pointi]);
+            }
         }
     }
 

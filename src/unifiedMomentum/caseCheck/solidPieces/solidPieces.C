@@ -160,8 +160,8 @@ void Foam::solidPieces::setSupports(List<boundBox>& clamped)
                 case fluxGeometry::SYMMETRY:
                 {
                     ++nRollers[piecei];
-                    hold[piecei] += area*sqr(geometry_.n(true)[facei]);
-                    rollers_[piecei] += area*sqr(geometry_.n(true)[facei]);
+                    hold[piecei] += area*sqr(geometry_.n(true, facei));
+                    rollers_[piecei] += area*sqr(geometry_.n(true, facei));
                     break;
                 }
                 default:

@@ -256,13 +256,13 @@ bool Foam::flexibleGMRES::plainSweep
 {
     // Where a cycle has its first ones
     unifiedVector& dz = vectorOf(z_, 0, r);
-    vectorOf(v_, 0, r);
+    unifiedVector& rNew = vectorOf(v_, 0, r);
     unifiedVector& y = vectorOf(v_, 1, r);
 
     system.precondition(r, dz);
     system.apply(dz, y);
 
-    unifiedVector rNew(r);
+    rNew = r;
     rNew.add(-1, y);
 
     const scalar before =

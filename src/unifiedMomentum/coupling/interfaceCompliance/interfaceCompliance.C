@@ -63,7 +63,7 @@ void Foam::interfaceCompliance::setWalls()
                     facei,
                     ownSolid ? nei : own,
                     ownSolid ? own : nei,
-                    ownSolid ? -geometry.n()[facei] : geometry.n()[facei]
+                    ownSolid ? -geometry.n(facei) : geometry.n(facei)
                 }
             );
         }
@@ -150,6 +150,9 @@ void Foam::interfaceCompliance::setRowSum
                 }
             }
         }
+
+        // All at once would be the most memory that a run takes
+        block.forget(k);
     }
 }
 

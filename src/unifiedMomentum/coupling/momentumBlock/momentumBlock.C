@@ -46,6 +46,215 @@ Foam::tmp<Foam::scalarField> Foam::momentumBlock::outflow() const
 }
 
 
+void Foam::momentumBlock::setCoefficients
+(
+    const direction k,
+    scalarField& cellCoeffs,
+    scalarField& faceCoeffs
+) const
+{
+    const fluxGeometry& geometry = flux_.geometry();
+    const stressFlux& stress = flux_.stress(solid_);
+    const fvMesh& mesh = geometry.mesh();
+    const labelUList& own = mesh.faceOwner();
+    const labelUList& nei = mesh.faceNeighbour();
+    const fluxGeometry::zone& zone = geometry.cellsAndFaces(solid_);
+    const vectorField& ownSide = *ownSide_;
+    const vectorField& neiSide = *neiSide_;
+
+    for (const label celli : zone.cells)
+    {
+        cellCoeffs[celli] =
+            geometry.materials()[celli].rho()*geometry.V()[celli]
+           /flux_.betaDt()
+          + (*source_)[celli];
+    }
+
+    // On triangles the operator of a fluid is stiffer than the compact
+    // matrix, which then corrects too much: 1.5 halves the sweeps where
+    // viscosity rules, and costs none on quadrangles. A solid has its
+    // conjugate gradients for that
+    const scalar stiffer = (solid_ ? 1 : 1.5);
+
+    const auto inside = [&](const label facei)
+    {
+        return
+            stiffer
+           *(
+                stress.diffusion(facei)
+              + stress.extraNormal(facei)*sqr(geometry.n(solid_, facei)[k])
+            );
+    };
+
+    for (const label facei : zone.internal)
+    {
+        faceCoeffs[facei] = inside(facei);
+    }
+    for (const label facei : zone.coupled)
+    {
+        faceCoeffs[facei] = inside(facei);
+    }
+
+    // What a face with own value adds to the cell at one of its sides
+    const auto side = [&](const label facei, const bool owner)
+    {
+        const label i = geometry.unknownIndex()[facei];
+
+        switch (geometry.kind(facei))
+        {
+            case fluxGeometry::INTERFACE:
+            {
+                return
+                    ownSide[i][k]*neiSide[i][k]
+                   /max(ownSide[i][k] + neiSide[i][k], VSMALL);
+            }
+            case fluxGeometry::SLIP:
+            case fluxGeometry::SYMMETRY:
+            {
+                return
+                    sqr(geometry.n(solid_, facei)[k])
+                   *(
+                        stress.sideDiffusion(facei, owner)
+                      + stress.sideExtraNormal(facei, owner)
+                    );
+            }
+            case fluxGeometry::FIXED:
+            {
+                return
+                    (
+                        stress.sideDiffusion(facei, owner)
+                      + stress.sideExtraNormal(facei, owner)
+                       *sqr(geometry.n(solid_, facei)[k])
+                    )
+                   *(1 - flux_.patchCoeff(facei)(k, k));
+            }
+            default:
+            {
+                return scalar(0);
+            }
+        }
+    };
+
+    for (const label facei : zone.ownSides)
+    {
+        if (zone_.inside(facei))
+        {
+            // Between two solids: both cells are in the matrix
+            faceCoeffs[facei] = side(facei, true);
+        }
+        else
+        {
+            cellCoeffs[own[facei]] += side(facei, true);
+        }
+    }
+    for (const label facei : zone.neiSides)
+    {
+        if (!zone_.inside(facei))
+        {
+            cellCoeffs[nei[facei]] += side(facei, false);
+        }
+    }
+}
+
+
+Foam::tmp<Foam::scalarField> Foam::momentumBlock::addThrough
+(
+    const direction k,
+    const scalarField& out,
+    scalarField& cellCoeffs
+) const
+{
+    const fluxGeometry& geometry = flux_.geometry();
+    const fvMesh& mesh = geometry.mesh();
+    const fluxGeometry::zone& zone = geometry.cellsAndFaces(solid_);
+
+    // Through patches flows what the condition makes of the cell's velocity:
+    // all of it with zeroGradient, in or out
+    tmp<scalarField> tleftOut(new scalarField(mesh.nCells(), 0));
+    scalarField& leftOut = tleftOut.ref();
+    scalarField through(mesh.nCells(), 0);
+
+    for (const label facei : zone.ownSides)
+    {
+        if (geometry.kind(facei) == fluxGeometry::FIXED)
+        {
+            through[mesh.faceOwner()[facei]] +=
+                flux_.rhoPhi()[facei]*flux_.patchCoeff(facei)(k, k);
+        }
+    }
+    flux_.addDynamicHeads(k, through);
+
+    for (const label celli : zone.cells)
+    {
+        leftOut[celli] = min(through[celli] + out[celli], 0);
+        cellCoeffs[celli] += through[celli] - leftOut[celli];
+    }
+
+    return tleftOut;
+}
+
+
+void Foam::momentumBlock::setDiag
+(
+    const direction k,
+    const scalarField& cellCoeffs,
+    const scalarField& faceCoeffs
+)
+{
+    const fvMesh& mesh = flux_.geometry().mesh();
+
+    forAll(zone_.cells(), i)
+    {
+        diag_[i][k] = cellCoeffs[zone_.cells()[i]];
+    }
+
+    // As in the matrix
+    for (label facei = 0; facei < mesh.nFaces(); ++facei)
+    {
+        if (zone_.inside(facei))
+        {
+            diag_[zone_.localCell()[mesh.faceOwner()[facei]]][k] +=
+                faceCoeffs[facei];
+
+            if (mesh.isInternalFace(facei))
+            {
+                diag_[zone_.localCell()[mesh.faceNeighbour()[facei]]][k] +=
+                    faceCoeffs[facei];
+            }
+        }
+    }
+}
+
+
+Foam::zoneMatrix& Foam::momentumBlock::matrix(const direction k)
+{
+    if (!matrices_.set(k))
+    {
+        matrices_.set
+        (
+            k,
+            new zoneMatrix
+            (
+                zone_,
+                word(solid_ ? "D" : "U") + vector::componentNames[k]
+            )
+        );
+
+        if (solid_)
+        {
+            const fvMesh& mesh = flux_.geometry().mesh();
+            scalarField cellCoeffs(mesh.nCells(), 0);
+            scalarField faceCoeffs(mesh.nFaces(), 0);
+
+            setCoefficients(k, cellCoeffs, faceCoeffs);
+            matrices_[k].set(cellCoeffs, faceCoeffs, scalarField(), controls_);
+        }
+    }
+
+    return matrices_[k];
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::momentumBlock::momentumBlock
@@ -59,30 +268,14 @@ Foam::momentumBlock::momentumBlock
     solid_(solid),
     zone_(zone),
     matrices_(vector::nComponents),
+    diag_(zone.cells().size(), vector::one),
+    ownSide_(nullptr),
+    neiSide_(nullptr),
+    source_(nullptr),
+    controls_(),
     leastCell_(-1),
     leastDiag_(1)
-{
-    if (zone_.valid())
-    {
-        const Vector<label>& solved = flux.geometry().mesh().solutionD();
-
-        for (direction cmpt = 0; cmpt < vector::nComponents; ++cmpt)
-        {
-            if (solved[cmpt] > 0)
-            {
-                matrices_.set
-                (
-                    cmpt,
-                    new zoneMatrix
-                    (
-                        zone_,
-                        word(solid ? "D" : "U") + vector::componentNames[cmpt]
-                    )
-                );
-            }
-        }
-    }
-}
+{}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -100,13 +293,12 @@ void Foam::momentumBlock::update
         return;
     }
 
-    const fluxGeometry& geometry = flux_.geometry();
-    const stressFlux& stress = flux_.stress(solid_);
-    const fvMesh& mesh = geometry.mesh();
-    const labelUList& own = mesh.faceOwner();
-    const labelUList& nei = mesh.faceNeighbour();
-    const vectorField& n = geometry.n(solid_);
-    const fluxGeometry::zone& zone = geometry.cellsAndFaces(solid_);
+    const fvMesh& mesh = flux_.geometry().mesh();
+
+    ownSide_ = &ownSide;
+    neiSide_ = &neiSide;
+    source_ = &source;
+    controls_ = solverControls;
 
     scalarField out;
     if (!solid_)
@@ -119,145 +311,32 @@ void Foam::momentumBlock::update
 
     for (direction k = 0; k < vector::nComponents; ++k)
     {
-        if (!matrices_.set(k))
+        if (!solved(k))
         {
             continue;
         }
 
         scalarField cellCoeffs(mesh.nCells(), 0);
         scalarField faceCoeffs(mesh.nFaces(), 0);
+        setCoefficients(k, cellCoeffs, faceCoeffs);
 
-        for (const label celli : zone.cells)
+        if (solid_)
         {
-            cellCoeffs[celli] =
-                geometry.materials()[celli].rho()*geometry.V()[celli]
-               /flux_.betaDt()
-              + source[celli];
+            forget(k);
+            setDiag(k, cellCoeffs, faceCoeffs);
+            continue;
         }
 
-        // On triangles the operator of a fluid is stiffer than the compact
-        // matrix, which then corrects too much: 1.5 halves the sweeps where
-        // viscosity rules, and costs none on quadrangles. A solid has its
-        // conjugate gradients for that
-        const scalar stiffer = (solid_ ? 1 : 1.5);
+        const scalarField leftOut(addThrough(k, out, cellCoeffs));
+        matrix(k).set(cellCoeffs, faceCoeffs, flux_.rhoPhi(), controls_);
 
-        const auto inside = [&](const label facei)
+        forAll(zone_.cells(), i)
         {
-            return
-                stiffer
-               *(
-                    stress.diffusion(facei)
-                  + stress.extraNormal(facei)*sqr(n[facei][k])
-                );
-        };
-
-        for (const label facei : zone.internal)
-        {
-            faceCoeffs[facei] = inside(facei);
-        }
-        for (const label facei : zone.coupled)
-        {
-            faceCoeffs[facei] = inside(facei);
-        }
-
-        // What a face with own value adds to the cell at one of its sides
-        const auto side = [&](const label facei, const bool owner)
-        {
-            const label i = geometry.unknownIndex()[facei];
-
-            switch (geometry.kind(facei))
-            {
-                case fluxGeometry::INTERFACE:
-                {
-                    return
-                        ownSide[i][k]*neiSide[i][k]
-                       /max(ownSide[i][k] + neiSide[i][k], VSMALL);
-                }
-                case fluxGeometry::SLIP:
-                case fluxGeometry::SYMMETRY:
-                {
-                    return
-                        sqr(n[facei][k])
-                       *(
-                            stress.sideDiffusion(facei, owner)
-                          + stress.sideExtraNormal(facei, owner)
-                        );
-                }
-                case fluxGeometry::FIXED:
-                {
-                    return
-                        (
-                            stress.sideDiffusion(facei, owner)
-                          + stress.sideExtraNormal(facei, owner)
-                           *sqr(n[facei][k])
-                        )
-                       *(1 - flux_.patchCoeff(facei)(k, k));
-                }
-                default:
-                {
-                    return scalar(0);
-                }
-            }
-        };
-
-        for (const label facei : zone.ownSides)
-        {
-            if (zone_.inside(facei))
-            {
-                // Between two solids: both cells are in the matrix
-                faceCoeffs[facei] = side(facei, true);
-            }
-            else
-            {
-                cellCoeffs[own[facei]] += side(facei, true);
-            }
-        }
-        for (const label facei : zone.neiSides)
-        {
-            if (!zone_.inside(facei))
-            {
-                cellCoeffs[nei[facei]] += side(facei, false);
-            }
-        }
-
-        // Through patches flows what the condition makes of the cell's
-        // velocity: all of it with zeroGradient, in or out
-        scalarField leftOut(solid_ ? 0 : mesh.nCells(), 0);
-
-        if (!solid_)
-        {
-            scalarField through(mesh.nCells(), 0);
-
-            for (const label facei : zone.ownSides)
-            {
-                if (geometry.kind(facei) == fluxGeometry::FIXED)
-                {
-                    through[own[facei]] +=
-                        flux_.rhoPhi()[facei]*flux_.patchCoeff(facei)(k, k);
-                }
-            }
-            flux_.addDynamicHeads(k, through);
-
-            for (const label celli : zone.cells)
-            {
-                leftOut[celli] = min(through[celli] + out[celli], 0);
-                cellCoeffs[celli] += through[celli] - leftOut[celli];
-            }
-        }
-
-        matrices_[k].set
-        (
-            cellCoeffs,
-            faceCoeffs,
-            solid_ ? scalarField() : flux_.rhoPhi(),
-            solverControls
-        );
-
-        for (const label celli : zone.cells)
-        {
+            const label celli = zone_.cells()[i];
             const scalar a = matrices_[k].diag(celli);
-            const scalar least =
-                a > VSMALL ? 1 + (solid_ ? 0 : leftOut[celli])/a : -GREAT;
+            const scalar least = a > VSMALL ? 1 + leftOut[celli]/a : -GREAT;
+
+            diag_[i][k] = a;
 
             if (least < leastDiag_)
             {
@@ -269,31 +348,34 @@ void Foam::momentumBlock::update
 }
 
 
-Foam::vector Foam::momentumBlock::diag(const label celli) const
+void Foam::momentumBlock::tryOut()
 {
-    vector a(vector::one);
+    for (direction k = 0; k < vector::nComponents; ++k)
+    {
+        if (solved(k))
+        {
+            matrix(k).tryOut();
 
+            if (solid_)
+            {
+                forget(k);
+            }
+        }
+    }
+}
+
+
+bool Foam::momentumBlock::hasMatrices() const
+{
     for (direction k = 0; k < vector::nComponents; ++k)
     {
         if (matrices_.set(k))
         {
-            a[k] = matrices_[k].diag(celli);
+            return true;
         }
     }
 
-    return a;
-}
-
-
-void Foam::momentumBlock::tryOut()
-{
-    forAll(matrices_, k)
-    {
-        if (matrices_.set(k))
-        {
-            matrices_[k].tryOut();
-        }
-    }
+    return false;
 }
 
 
@@ -304,14 +386,14 @@ Foam::label Foam::momentumBlock::solve
     vectorField& x
 )
 {
-    if (!matrices_.set(cmpt))
+    if (!solved(cmpt))
     {
         return 0;
     }
 
     scalarField xk(b.size(), 0);
     const label nIterations =
-        matrices_[cmpt].solve(b.component(cmpt), xk);
+        matrix(cmpt).solve(b.component(cmpt), xk);
 
     for (const label celli : zone_.cells())
     {

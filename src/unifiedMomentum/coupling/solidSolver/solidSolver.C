@@ -31,27 +31,24 @@ namespace Foam
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::vector2D Foam::solidSolver::dot
+Foam::scalar Foam::solidSolver::localDot
 (
     const unifiedVector& a,
-    const unifiedVector& b,
-    const unifiedVector& c
+    const unifiedVector& b
 ) const
 {
-    vector2D sums(0, 0);
+    scalar sum = 0;
 
     for (const label celli : op_.geometry().cellsAndFaces(true).cells)
     {
-        sums.x() += a.U[celli] & b.U[celli];
-        sums.y() += a.U[celli] & c.U[celli];
+        sum += a.U[celli] & b.U[celli];
     }
     forAll(faces_.weight, i)
     {
-        sums.x() += faces_.weight[i]*(a.Uf[i] & b.Uf[i]);
-        sums.y() += faces_.weight[i]*(a.Uf[i] & c.Uf[i]);
+        sum += faces_.weight[i]*(a.Uf[i] & b.Uf[i]);
     }
 
-    return returnReduce(sums, sumOp<vector2D>());
+    return sum;
 }
 
 
@@ -86,7 +83,7 @@ void Foam::solidSolver::conjugateGradients
 {
     // Flexible: solvers of the preconditioner may stop by a tolerance
     preconditioner_->apply(r_, s_);
-    scalar rs = dot(r_, s_, oldS_).x();
+    scalar rs = returnReduce(localDot(r_, s_), sumOp<scalar>());
     const scalar target = sqr(tolerance)*rs;
     d_ = s_;
 
@@ -104,7 +101,7 @@ void Foam::solidSolver::conjugateGradients
     while ((rs > target || bends()) && rs > VSMALL && nIterations < maxIter)
     {
         op_.applySolid(d_, faces_.fluidSide, y_);
-        const scalar dy = dot(d_, y_, y_).x();
+        const scalar dy = returnReduce(localDot(d_, y_), sumOp<scalar>());
         if (!(dy > 0))
         {
             // Not an elastic solid with inertia: a source of fvOptions
@@ -124,10 +121,13 @@ void Foam::solidSolver::conjugateGradients
         energy += alpha*rs;
         ++nIterations;
 
-        oldS_ = s_;
+        // With the old s and with the new one
+        vector2D products(0, localDot(r_, s_));
         preconditioner_->apply(r_, s_);
+        products.x() = localDot(r_, s_);
+        reduce(products, sumOp<vector2D>());
+
         const scalar oldRs = rs;
-        const vector2D products(dot(r_, s_, oldS_));
         rs = products.x();
         d_.scale((rs - products.y())/oldRs);
         d_.add(1, s_);
@@ -167,12 +167,11 @@ Foam::solidSolver::solidSolver
     },
     preconditioner_(),
     preconditionerName_(),
-    x_(op.geometry().mesh().nCells(), ownSide.size()),
+    x_(op.geometry().mesh().nCells(), ownSide.size(), false),
     r_(x_),
     d_(x_),
     y_(x_),
     s_(x_),
-    oldS_(x_),
     warned_(false)
 {}
 
@@ -307,12 +306,12 @@ Foam::label Foam::solidSolver::solve
     }
 
     // A process with only the fluid side of a face takes the other's result
-    vectorField sides(mesh.nFaces(), Zero);
+    sideField<vector> sides(geometry);
     forAll(dz.Uf, i)
     {
         sides[geometry.unknownFaces()[i]] = x_.Uf[i];
     }
-    const vectorField beyond(geometry.neighbourSides(sides));
+    const vectorField beyond(sides.neighbourSides());
 
     forAll(dz.Uf, i)
     {

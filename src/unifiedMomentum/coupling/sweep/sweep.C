@@ -35,7 +35,7 @@ void Foam::sweep::setSides()
     const fvMesh& mesh = geometry.mesh();
     const materialZones& materials = geometry.materials();
 
-    vectorField sides(mesh.nFaces(), Zero);
+    sideField<vector> sides(geometry);
 
     const auto side = [&](const label facei, const bool owner)
     {
@@ -48,7 +48,7 @@ void Foam::sweep::setSides()
 
         if (geometry.kind(facei) != fluxGeometry::SLIP)
         {
-            const vector& n = geometry.n(solid)[facei];
+            const vector n(geometry.n(solid, facei));
             a += stress.sideExtraNormal(facei, owner)*cmptMultiply(n, n);
         }
 
@@ -62,7 +62,7 @@ void Foam::sweep::setSides()
         sides[facei] = ownSide_[i];
     }
 
-    const vectorField beyond(geometry.neighbourSides(sides));
+    const vectorField beyond(sides.neighbourSides());
 
     forAll(neiSide_, i)
     {
@@ -142,12 +142,12 @@ void Foam::sweep::balance(unifiedVector& dz)
 
     op_.applyContinuity(correction_, rp_);
     rp_ = -rp_;
-    solvePressure(rp_);
+    const vectorField& gradDp = solvePressure(rp_);
 
     for (const label celli : cells)
     {
         dz.p[celli] += part*dp_[celli];
-        r_.U[celli] -= part*geometry.V()[celli]*gradDp_[celli];
+        r_.U[celli] -= part*geometry.V()[celli]*gradDp[celli];
     }
 }
 
@@ -185,8 +185,7 @@ Foam::sweep::sweep(unifiedOperator& op)
     r_(op.geometry().mesh().nCells(), ownSide_.size()),
     correction_(r_),
     rp_(op.geometry().mesh().nCells(), 0),
-    dp_(rp_),
-    gradDp_(op.geometry().mesh().nCells(), Zero)
+    dp_(rp_)
 {
     if (fluidZone_.valid())
     {

@@ -76,7 +76,7 @@ void Foam::sweep::setPressure()
         return
             ((1 - w[facei])*D_[own[facei]] + w[facei]*DN)
            *mag(mesh.faceAreas()[facei])
-           /(geometry.hOwn()[facei] + geometry.hNei()[facei]);
+           /geometry.dn()[facei];
     };
 
     const scalarField DN(geometry.neighbourValues(D_));
@@ -215,33 +215,37 @@ void Foam::sweep::solveFluid(const unifiedVector& r, unifiedVector& dz)
 }
 
 
-void Foam::sweep::addNonOrthogonal(scalarField& rp)
+void Foam::sweep::addNonOrthogonal
+(
+    const vectorField& gradDp,
+    scalarField& rp
+)
 {
     const fluxGeometry& geometry = op_.geometry();
     const fvMesh& mesh = geometry.mesh();
     const labelUList& own = mesh.faceOwner();
     const labelUList& nei = mesh.faceNeighbour();
     const fluxGeometry::zone& fluid = geometry.cellsAndFaces(false);
-    const vectorField& n = geometry.n();
 
     // D S.grad p' without the part along d that the matrix has
     const auto flux = [&](const label facei, const vector& gradN)
     {
         const scalar w = geometry.w()[facei];
-        const vector grad((1 - w)*gradDp_[own[facei]] + w*gradN);
-        const vector d(geometry.dOwn()[facei] - geometry.dNei()[facei]);
+        const vector grad((1 - w)*gradDp[own[facei]] + w*gradN);
+        const vector d(geometry.d(false, facei));
+        const vector n(geometry.n(facei));
 
-        return faceD_[facei]*(((d & n[facei])*n[facei] - d) & grad);
+        return faceD_[facei]*(((d & n)*n - d) & grad);
     };
 
     for (const label facei : fluid.internal)
     {
-        const scalar f = flux(facei, gradDp_[nei[facei]]);
+        const scalar f = flux(facei, gradDp[nei[facei]]);
         rp[own[facei]] += f;
         rp[nei[facei]] -= f;
     }
 
-    const vectorField gradN(geometry.neighbourValues(gradDp_));
+    const vectorField gradN(geometry.neighbourValues(gradDp));
 
     for (const label facei : fluid.coupled)
     {
@@ -250,7 +254,7 @@ void Foam::sweep::addNonOrthogonal(scalarField& rp)
 }
 
 
-void Foam::sweep::solvePressure(const scalarField& rp)
+const Foam::vectorField& Foam::sweep::solvePressure(const scalarField& rp)
 {
     const label nNonOrthogonal =
         controls().getOrDefault<label>("nNonOrthogonalCorrectors", 0);
@@ -260,17 +264,16 @@ void Foam::sweep::solvePressure(const scalarField& rp)
 
     for (label corr = 0; corr < nNonOrthogonal; ++corr)
     {
-        op_.flux().gradP(dp_, gradDp_);
         scalarField b(rp);
-        addNonOrthogonal(b);
+        addNonOrthogonal(op_.flux().gradP(dp_), b);
         pressure_->solve(b, dp_);
     }
 
-    op_.flux().gradP(dp_, gradDp_);
+    return op_.flux().gradP(dp_);
 }
 
 
-void Foam::sweep::correct(unifiedVector& dz)
+void Foam::sweep::correct(const vectorField& gradDp, unifiedVector& dz)
 {
     const fluxGeometry& geometry = op_.geometry();
     const fvMesh& mesh = geometry.mesh();
@@ -284,7 +287,7 @@ void Foam::sweep::correct(unifiedVector& dz)
         {
             if (solved[k] > 0)
             {
-                dz.U[celli][k] -= D_[celli]*gradDp_[celli][k];
+                dz.U[celli][k] -= D_[celli]*gradDp[celli][k];
             }
         }
     }
@@ -342,8 +345,7 @@ void Foam::sweep::applyFluid(const unifiedVector& r, unifiedVector& dz)
             rp_ = r.p - rp_;
         }
 
-        solvePressure(rp_);
-        correct(dz);
+        correct(solvePressure(rp_), dz);
 
         if (balances_ || corr < nCorrectors - 1)
         {

@@ -149,19 +149,19 @@ void Foam::unifiedOperator::applySolid
     y.setZero();
     flux_.evaluateSolid(v, nullptr, y.U);
 
-    const vectorField& ownForce = flux_.sideForce(true);
-    const vectorField& neiForce = flux_.sideForce(false);
+    const sideField<vector>& ownForce = flux_.sideForce(true);
+    const sideField<vector>& neiForce = flux_.sideForce(false);
 
     // A face between solids on a processor boundary has its other half there
     vectorField beyond;
     if (geometry().anyCoupled())
     {
-        vectorField sides(mesh.nFaces(), Zero);
+        sideField<vector> sides(geometry());
         for (const label facei : solid.ownSides)
         {
             sides[facei] = ownForce[facei];
         }
-        beyond = geometry().neighbourSides(sides);
+        beyond = sides.neighbourSides();
     }
 
     const auto toFace = [&](const label facei, const vector& F)

@@ -22,34 +22,17 @@ License
 #include "zoneMesh.H"
 #include "bitSet.H"
 
-// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::zoneMesh::zoneMesh(const fluxGeometry& geometry, const bool solid)
-:
-    subset_(),
-    coupledFaces_(),
-    cells_(geometry.cellsAndFaces(solid).cells),
-    localCell_(geometry.mesh().nCells(), -1),
-    inside_(geometry.mesh().nFaces(), false)
+void Foam::zoneMesh::make() const
 {
-    if (returnReduce(cells_.size(), sumOp<label>()) == 0)
+    bitSet selected(geometry_.mesh().nCells());
+    for (const label celli : cells_)
     {
-        return;
+        selected.set(celli);
     }
 
-    bitSet selected(geometry.mesh().nCells());
-    forAll(cells_, i)
-    {
-        selected.set(cells_[i]);
-        localCell_[cells_[i]] = i;
-    }
-
-    subset_.reset(new fvMeshSubset(geometry.mesh(), selected));
-
-    for (label i = 0; i < mesh().nInternalFaces(); ++i)
-    {
-        inside_[faceMap()[i]] = true;
-    }
+    subset_.reset(new fvMeshSubset(geometry_.mesh(), selected));
 
     DynamicList<coupledFace> faces;
     forAll(mesh().boundary(), patchi)
@@ -60,13 +43,76 @@ Foam::zoneMesh::zoneMesh(const fluxGeometry& geometry, const bool solid)
         {
             forAll(patch, i)
             {
-                const label facei = faceMap()[patch.start() + i];
-                faces.append(coupledFace{patchi, i, facei});
-                inside_[facei] = true;
+                faces.append
+                (
+                    coupledFace{patchi, i, faceMap()[patch.start() + i]}
+                );
             }
         }
     }
     coupledFaces_.transfer(faces);
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::zoneMesh::zoneMesh(const fluxGeometry& geometry, const bool solid)
+:
+    geometry_(geometry),
+    cells_(geometry.cellsAndFaces(solid).cells),
+    valid_(returnReduce(cells_.size(), sumOp<label>()) > 0),
+    subset_(),
+    coupledFaces_(),
+    localCell_(geometry.mesh().nCells(), -1),
+    inside_(geometry.mesh().nFaces(), false)
+{
+    forAll(cells_, i)
+    {
+        localCell_[cells_[i]] = i;
+    }
+
+    const fvMesh& whole = geometry.mesh();
+    const materialZones& materials = geometry.materials();
+    const labelList beyond(materials.boundaryNeighbour());
+
+    forAll(inside_, facei)
+    {
+        if (materials.solid(whole.faceOwner()[facei]) != solid)
+        {
+            continue;
+        }
+        else if (whole.isInternalFace(facei))
+        {
+            inside_[facei] =
+                materials.solid(whole.faceNeighbour()[facei]) == solid;
+        }
+        else if (geometry.coupled(facei))
+        {
+            inside_[facei] =
+                materials.materials()
+                [
+                    beyond[facei - whole.nInternalFaces()]
+                ].solid() == solid;
+        }
+    }
+
+    // That of the mesh before it moves
+    if (valid_ && geometry.moves())
+    {
+        make();
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::zoneMesh::release()
+{
+    if (!geometry_.moves())
+    {
+        subset_.clear();
+        coupledFaces_.clear();
+    }
 }
 
 

@@ -108,7 +108,10 @@ Foam::faceLoads::load Foam::faceLoads::onPatch(const label facei) const
     load l;
 
     l.total = -onOwner(facei);
-    l.viscous = -flux_.stress(false).ownForce()[facei];
+    l.viscous =
+        fields_.materials().solid(fields_.mesh().faceOwner()[facei])
+      ? vector(Zero)
+      : -flux_.stress(false).ownForce()[facei];
     if (kind == fluxGeometry::SLIP || kind == fluxGeometry::SYMMETRY)
     {
         l.viscous -= geometry.tangential(facei, l.viscous);

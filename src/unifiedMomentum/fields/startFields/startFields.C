@@ -67,13 +67,13 @@ void Foam::startFields::interpolateVelocity()
         if (geometry_.kind(facei) == fluxGeometry::INTERFACE)
         {
             const scalar inertiaP =
-                rho[own[facei]]/geometry_.hOwn()[facei];
+                rho[own[facei]]/geometry_.hOwn(facei);
             const scalar inertiaN =
                 (
                     mesh.isInternalFace(facei)
                   ? rho[mesh.faceNeighbour()[facei]]
                   : rhoN[facei - mesh.nInternalFaces()]
-                )/geometry_.hNei()[facei];
+                )/geometry_.hNei(facei);
             const vector& uN =
                 mesh.isInternalFace(facei)
               ? U[mesh.faceNeighbour()[facei]]
@@ -137,18 +137,18 @@ void Foam::startFields::extrapolateDisplacement()
     {
         vectorField sum(mesh.nFaces(), Zero);
 
-        gradient.faceValues(D.primitiveField(), df);
+        gradient.faceValues(D.primitiveField(), df, G);
         gradient.cellGradients(df, G);
 
         for (const label facei : solid.ownSides)
         {
             sum[facei] +=
-                D[own[facei]] + (geometry_.dOwn()[facei] & G[own[facei]]);
+                D[own[facei]] + (geometry_.dOwn(facei) & G[own[facei]]);
         }
         for (const label facei : solid.neiSides)
         {
             sum[facei] +=
-                D[nei[facei]] + (geometry_.dNei()[facei] & G[nei[facei]]);
+                D[nei[facei]] + (geometry_.dNei(facei) & G[nei[facei]]);
         }
 
         const vectorField sumBeyond(geometry_.neighbourSides(sum));

@@ -203,7 +203,7 @@ void Foam::unifiedFields::clearOthers()
 }
 
 
-void Foam::unifiedFields::keepLevels()
+void Foam::unifiedFields::keepLevels(const fluxGeometry& geometry)
 {
     // From here on each step stores the two levels before it by itself, and
     // the first of them is written
@@ -211,9 +211,31 @@ void Foam::unifiedFields::keepLevels()
     p_.oldTime().oldTime();
     D_.oldTime().oldTime();
     phi_.oldTime().oldTime();
-    Uf_.oldTime().oldTime();
-    Df_.oldTime().oldTime();
     continuityError_.oldTime().oldTime();
+
+    // The other level of faces would be another two fields of all faces
+    Uf_.oldTime().writeOpt() = IOobject::AUTO_WRITE;
+    Df_.oldTime().writeOpt() = IOobject::AUTO_WRITE;
+    UfOldOld_.reset(new sideField<vector>(geometry));
+    DfOldOld_.reset(new sideField<vector>(geometry));
+    endStep(geometry);
+}
+
+
+void Foam::unifiedFields::endStep(const fluxGeometry& geometry)
+{
+    const surfaceVectorField& Uf0 = Uf_.oldTime();
+    const surfaceVectorField& Df0 = Df_.oldTime();
+
+    for (const label facei : geometry.cellsAndFaces(true).ownSides)
+    {
+        DfOldOld_()[facei] = faceValue(Df0, facei);
+    }
+    for (const label facei : geometry.unknownFaces())
+    {
+        UfOldOld_()[facei] = faceValue(Uf0, facei);
+        DfOldOld_()[facei] = faceValue(Df0, facei);
+    }
 }
 
 
@@ -224,14 +246,17 @@ void Foam::unifiedFields::toUnknowns
     unifiedVector& z
 ) const
 {
-    const surfaceVectorField& Uf = levelOf(Uf_, level);
-
     z.U = levelOf(U_, level).primitiveField();
     z.p = levelOf(p_, level).primitiveField();
 
     forAll(z.Uf, i)
     {
-        z.Uf[i] = faceValue(Uf, geometry.unknownFaces()[i]);
+        const label facei = geometry.unknownFaces()[i];
+
+        z.Uf[i] =
+            level == 2
+          ? UfOldOld_()[facei]
+          : faceValue(levelOf(Uf_, level), facei);
     }
 }
 

@@ -311,9 +311,9 @@ void Foam::validityCheck::checkStep
         }
 
         const scalar h =
-            ownFluid ? geometry_.hOwn()[facei] : geometry_.hNei()[facei];
+            ownFluid ? geometry_.hOwn(facei) : geometry_.hNei(facei);
         const scalar here =
-            mag(faceValue(Df, facei) & geometry_.n()[facei])/(2*h);
+            mag(faceValue(Df, facei) & geometry_.n(facei))/(2*h);
 
         if (here > ratio)
         {

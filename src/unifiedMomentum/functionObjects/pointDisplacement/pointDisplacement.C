@@ -165,7 +165,7 @@ bool Foam::functionObjects::pointDisplacement::execute()
         tensorField G(mesh_.nCells(), Zero);
         vectorField values(points_.size(), Zero);
 
-        gradient.faceValues(u, uf);
+        gradient.faceValues(u, uf, G);
         gradient.cellGradients(uf, G);
 
         forAll(points_, i)

@@ -51,14 +51,14 @@ Foam::cellLengths::cellLengths(const fluxGeometry& geometry)
         const label own = mesh.faceOwner()[facei];
 
         lengths_[own] +=
-            S(own)*geometry.hOwn()[facei]*sqr(solved_ & geometry.dOwn()[facei]);
+            S(own)*geometry.hOwn(facei)*sqr(solved_ & geometry.dOwn(facei));
 
         if (mesh.isInternalFace(facei))
         {
             const label nei = mesh.faceNeighbour()[facei];
 
             lengths_[nei] +=
-                S(nei)*geometry.hNei()[facei]*sqr(solved_ & geometry.dNei()[facei]);
+                S(nei)*geometry.hNei(facei)*sqr(solved_ & geometry.dNei(facei));
         }
     }
 

@@ -20,7 +20,6 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "faceLinks.H"
-#include "cellLengths.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -64,94 +63,6 @@ Foam::symmTensor Foam::faceLinks::sideLink
 }
 
 
-void Foam::faceLinks::setAxis
-(
-    const cellLengths& lengths,
-    const label celli,
-    const vector& dx,
-    vector& axis,
-    scalar& slender
-)
-{
-    const vector e(dx/mag(dx));
-    const scalar q =
-        min(lengths.shortestAcross(celli, e)/mag(dx), scalar(1));
-
-    axis = lengths.nD() == 1 ? vector(Zero) : e;
-    slender = 1 - sqr(q);
-}
-
-
-void Foam::faceLinks::setAxes(const cellLengths& lengths)
-{
-    const fvMesh& mesh = geometry_.mesh();
-
-    ownAxis_ = geometry_.n(solid_);
-    neiAxis_ = geometry_.n(solid_);
-    ownSlender_.setSize(ownAxis_.size(), 0);
-    neiSlender_.setSize(ownAxis_.size(), 0);
-
-    forAll(ownAxis_, facei)
-    {
-        if (geometry_.kind(facei) == fluxGeometry::IGNORED)
-        {
-            continue;
-        }
-
-        const label own = mesh.faceOwner()[facei];
-        if (linked(own))
-        {
-            setAxis
-            (
-                lengths,
-                own,
-                geometry_.dOwn()[facei],
-                ownAxis_[facei],
-                ownSlender_[facei]
-            );
-        }
-
-        if (mesh.isInternalFace(facei))
-        {
-            const label nei = mesh.faceNeighbour()[facei];
-            if (linked(nei))
-            {
-                setAxis
-                (
-                    lengths,
-                    nei,
-                    geometry_.dNei()[facei],
-                    neiAxis_[facei],
-                    neiSlender_[facei]
-                );
-            }
-        }
-    }
-}
-
-
-void Foam::faceLinks::setDistances()
-{
-    d_.setSize(geometry_.mesh().nFaces(), Zero);
-
-    for (const labelList& faces : {zone_.internal, zone_.coupled})
-    {
-        for (const label facei : faces)
-        {
-            d_[facei] = geometry_.dOwn()[facei] - geometry_.dNei()[facei];
-        }
-    }
-
-    // Half of the distance to the mirror image: the change of gradients along
-    // d is twice what the cell's own gradient gives
-    for (const label facei : zone_.symmetry)
-    {
-        const vector& n = geometry_.n(solid_)[facei];
-        d_[facei] = (n & geometry_.dOwn()[facei])*n;
-    }
-}
-
-
 void Foam::faceLinks::setLinks(const cellLengths& lengths)
 {
     const fvMesh& mesh = geometry_.mesh();
@@ -175,19 +86,29 @@ void Foam::faceLinks::setLinks(const cellLengths& lengths)
                 (
                     lengths,
                     own[facei],
-                    geometry_.dOwn()[facei],
-                    geometry_.hOwn()[facei],
-                    d_[facei]
+                    geometry_.dOwn(facei),
+                    geometry_.hOwn(facei),
+                    d(facei)
                 );
             }
         }
     }
 
-    k_.setSize(mesh.nFaces(), Zero);
+    index_.setSize(mesh.nFaces(), -1);
+    DynamicList<symmTensor> k;
 
+    // What is left by round-off is no link
+    const auto keep = [&](const label facei, const symmTensor& kf)
+    {
+        if (mag(kf) > 1e-12)
+        {
+            index_[facei] = k.size();
+            k.append(kf);
+        }
+    };
     const auto link = [&](const label facei, const symmTensor& beyond)
     {
-        k_[facei] = 0.5*w[facei]*(1 - w[facei])*(Y[facei] + beyond);
+        keep(facei, 0.5*w[facei]*(1 - w[facei])*(Y[facei] + beyond));
     };
 
     for (const label facei : zone_.internal)
@@ -201,9 +122,9 @@ void Foam::faceLinks::setLinks(const cellLengths& lengths)
                 (
                     lengths,
                     nei[facei],
-                    geometry_.dNei()[facei],
-                    geometry_.hNei()[facei],
-                    d_[facei]
+                    geometry_.dNei(facei),
+                    geometry_.hNei(facei),
+                    d(facei)
                 )
             );
         }
@@ -223,10 +144,11 @@ void Foam::faceLinks::setLinks(const cellLengths& lengths)
     // the half distance d and the tangential part of -2 G_P
     for (const label facei : zone_.symmetry)
     {
-        k_[facei] = Y[facei];
+        keep(facei, Y[facei]);
     }
 
-    active_ = active_ || gMax(mag(k_)()) > 0;
+    k_.transfer(k);
+    active_ = active_ || returnReduce(k_.size() > 0, orOp<bool>());
 }
 
 
@@ -261,8 +183,8 @@ void Foam::faceLinks::setTwist(const cellLengths& lengths)
                 w[facei]*sqr(shortest[own[facei]])
               + (1 - w[facei])*sqr(shortestN)
             )
-           /(geometry_.hOwn()[facei] + geometry_.hNei()[facei])
-           /magSqr(d_[facei]);
+           /geometry_.dn()[facei]
+           /magSqr(d(facei));
     };
 
     for (const label facei : zone_.internal)
@@ -299,19 +221,33 @@ Foam::faceLinks::faceLinks(const fluxGeometry& geometry, const bool solid)
         return;
     }
 
-    const cellLengths lengths(geometry);
+    lengths_.reset(new cellLengths(geometry));
+    const label nD = lengths_->nD();
 
-    setAxes(lengths);
-    setDistances();
+    if (nD == 3)
+    {
+        setTwist(lengths_());
+    }
+    if (nD > 1)
+    {
+        setLinks(lengths_());
+    }
+}
 
-    if (lengths.nD() == 3)
-    {
-        setTwist(lengths);
-    }
-    if (lengths.nD() > 1)
-    {
-        setLinks(lengths);
-    }
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::scalar Foam::faceLinks::slender
+(
+    const label celli,
+    const vector& dx
+) const
+{
+    const vector e(dx/mag(dx));
+    const scalar q =
+        min(lengths_->shortestAcross(celli, e)/mag(dx), scalar(1));
+
+    return 1 - sqr(q);
 }
 
 

@@ -26,29 +26,35 @@ License
 void Foam::faceStiffness::setSide
 (
     const label facei,
-    const label celli,
-    const vector& dx,
-    const scalar h,
-    const scalar slender,
-    const scalar mu,
-    const scalar lambda,
-    scalar& aT,
-    scalar& aN
-) const
+    const bool owner,
+    const faceLinks& links,
+    const scalarField& hMin
+)
 {
-    const scalar S =
-        mag(geometry_.S(geometry_.materials().solid(celli))[facei]);
+    const label celli = cellOf(facei, owner);
+    const material& m = geometry_.materials()[celli];
+    const scalar mu = m.shear();
+    const scalar lambda = m.lambda();
+    const scalar S = mag(geometry_.S(solid_)[facei]);
+    const scalar h = owner ? geometry_.hOwn(facei) : geometry_.hNei(facei);
 
-    switch (geometry_.materials()[celli].faceStiffness())
+    scalar& aT = owner ? a_.ownT[facei] : a_.neiT[facei];
+    scalar& aN = owner ? a_.ownN[facei] : a_.neiN[facei];
+
+    switch (m.faceStiffness())
     {
         case material::COMPACT:
         {
             aT = mu*S/h;
-            aN = (mu + lambda)*S/h;
+            aN = (mu + lambda)*S/h/sqr(S);
             break;
         }
         case material::LINKED:
         {
+            const vector dx =
+                owner ? geometry_.dOwn(facei) : geometry_.dNei(facei);
+            const scalar slender = links.slender(celli, dx);
+
             // Stretching along the long side of a slender cell, and the
             // contraction across, which bending puts in. All of E' makes short
             // waves of bending too fast
@@ -61,7 +67,10 @@ void Foam::faceStiffness::setSide
             const scalar Sh = S*h/magSqr(dx);
 
             aT = mu*Sh;
-            aN = (slender*along + (1 - slender)*across - mu)*Sh;
+            aN =
+                geometry_.mesh().nSolutionD() == 1
+              ? 0
+              : (slender*along + (1 - slender)*across - mu)*Sh/magSqr(dx);
             break;
         }
         case material::LOCKING_FREE:
@@ -70,10 +79,71 @@ void Foam::faceStiffness::setSide
             // the floor keeps its high modes from going soft
             const scalar floor = 0.25;
 
-            aT = max(sqr(hMin_[celli]/h), floor)*mu*S/h;
+            aT = max(sqr(hMin[celli]/h), floor)*mu*S/h;
             aN = 0;
             break;
         }
+    }
+}
+
+
+Foam::tmp<Foam::scalarField> Foam::faceStiffness::hMin() const
+{
+    const fvMesh& mesh = geometry_.mesh();
+
+    tmp<scalarField> thMin(new scalarField(mesh.nCells(), GREAT));
+    scalarField& hMin = thMin.ref();
+
+    forAll(mesh.faces(), facei)
+    {
+        if (geometry_.kind(facei) != fluxGeometry::IGNORED)
+        {
+            scalar& own = hMin[mesh.faceOwner()[facei]];
+            own = min(own, geometry_.hOwn(facei));
+
+            if (mesh.isInternalFace(facei))
+            {
+                scalar& nei = hMin[mesh.faceNeighbour()[facei]];
+                nei = min(nei, geometry_.hNei(facei));
+            }
+        }
+    }
+
+    return thMin;
+}
+
+
+void Foam::faceStiffness::set(const faceLinks& links)
+{
+    bool lockingFree = false;
+    for (const material& m : geometry_.materials().materials())
+    {
+        lockingFree =
+            lockingFree || m.faceStiffness() == material::LOCKING_FREE;
+    }
+
+    scalarField least;
+    if (lockingFree)
+    {
+        least = hMin();
+    }
+
+    for (const label facei : zone_.internal)
+    {
+        setSide(facei, true, links, least);
+        setSide(facei, false, links, least);
+    }
+    for (const label facei : zone_.coupled)
+    {
+        setSide(facei, true, links, least);
+    }
+    for (const label facei : zone_.ownSides)
+    {
+        setSide(facei, true, links, least);
+    }
+    for (const label facei : zone_.neiSides)
+    {
+        setSide(facei, false, links, least);
     }
 }
 
@@ -83,122 +153,32 @@ void Foam::faceStiffness::setSide
 Foam::faceStiffness::faceStiffness
 (
     const fluxGeometry& geometry,
-    const faceLinks& links
+    const bool solid,
+    const faceLinks& links,
+    coefficients& a
 )
 :
     geometry_(geometry),
-    links_(links),
-    ownAxis_(links.ownAxis()),
-    neiAxis_(links.neiAxis()),
-    hMin_(geometry.mesh().nCells(), GREAT),
-    ownT_(geometry.mesh().nFaces(), 0),
-    ownN_(ownT_),
-    neiT_(ownT_),
-    neiN_(ownT_)
+    solid_(solid),
+    zone_(geometry.cellsAndFaces(solid)),
+    a_(a),
+    normal_(false),
+    slanted_(false)
 {
-    updateLengths();
-}
-
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-void Foam::faceStiffness::updateLengths()
-{
-    const fvMesh& mesh = geometry_.mesh();
-
-    hMin_ = GREAT;
-
-    forAll(mesh.faces(), facei)
+    for (const material& m : geometry.materials().materials())
     {
-        if (geometry_.kind(facei) != fluxGeometry::IGNORED)
-        {
-            scalar& own = hMin_[mesh.faceOwner()[facei]];
-            own = min(own, geometry_.hOwn()[facei]);
+        const bool linked = m.faceStiffness() == material::LINKED;
 
-            if (mesh.isInternalFace(facei))
-            {
-                scalar& nei = hMin_[mesh.faceNeighbour()[facei]];
-                nei = min(nei, geometry_.hNei()[facei]);
-            }
-        }
-    }
-}
-
-
-void Foam::faceStiffness::set
-(
-    const scalarField& mu,
-    const scalarField& lambda
-)
-{
-    const fvMesh& mesh = geometry_.mesh();
-
-    forAll(mesh.faces(), facei)
-    {
-        if (geometry_.kind(facei) == fluxGeometry::IGNORED)
-        {
-            continue;
-        }
-
-        const label own = mesh.faceOwner()[facei];
-        const label owni = geometry_.materials().materialIndex(own);
-
-        setSide
-        (
-            facei,
-            own,
-            geometry_.dOwn()[facei],
-            geometry_.hOwn()[facei],
-            links_.ownSlender(facei),
-            mu[owni],
-            lambda[owni],
-            ownT_[facei],
-            ownN_[facei]
-        );
-
-        if (mesh.isInternalFace(facei))
-        {
-            const label nei = mesh.faceNeighbour()[facei];
-            const label neii = geometry_.materials().materialIndex(nei);
-
-            setSide
-            (
-                facei,
-                nei,
-                geometry_.dNei()[facei],
-                geometry_.hNei()[facei],
-                links_.neiSlender(facei),
-                mu[neii],
-                lambda[neii],
-                neiT_[facei],
-                neiN_[facei]
-            );
-        }
-    }
-}
-
-
-Foam::scalar Foam::faceStiffness::extraNormal
-(
-    const label facei,
-    const bool owner
-) const
-{
-    const fvMesh& mesh = geometry_.mesh();
-    const label celli =
-        owner ? mesh.faceOwner()[facei] : mesh.faceNeighbour()[facei];
-    const scalar aN = owner ? ownN_[facei] : neiN_[facei];
-
-    if (geometry_.materials()[celli].faceStiffness() != material::LINKED)
-    {
-        return aN;
+        normal_ = normal_ || (m.solid() == solid && !linked);
+        slanted_ = slanted_ || (m.solid() == solid && linked);
     }
 
-    const vector& axis = owner ? ownAxis_[facei] : neiAxis_[facei];
+    for (scalarField* values : {&a_.ownT, &a_.ownN, &a_.neiT, &a_.neiN})
+    {
+        values->setSize(geometry.nFaces(), 0);
+    }
 
-    return
-        aN
-       *sqr(axis & geometry_.n(geometry_.materials().solid(celli))[facei]);
+    set(links);
 }
 
 

@@ -31,7 +31,7 @@ Foam::tensor Foam::finiteLinks::mirrored
 {
     const symmTensor M
     (
-        symmTensor::I - 2*sqr(geometry_.n(true)[facei])
+        symmTensor::I - 2*sqr(geometry_.n(true, facei))
     );
     const tensor MG(M & G);
 

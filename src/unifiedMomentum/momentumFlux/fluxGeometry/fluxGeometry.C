@@ -129,133 +129,137 @@ void Foam::fluxGeometry::setKinds(const volVectorField& U)
     }
 
     reduce(anyCoupled_, orOp<bool>());
+
+    nFaces_ = mesh_.nFaces();
+    while (nFaces_ > nInternal && kind_[nFaces_ - 1] == IGNORED)
+    {
+        --nFaces_;
+    }
+}
+
+
+void Foam::fluxGeometry::keepReference()
+{
+    S0_ = mesh_.faceAreas();
+    cellCentres0_ = mesh_.cellCentres();
+    faceCentres0_ = mesh_.faceCentres();
+
+    const labelList beyond(materials_.boundaryNeighbour());
+
+    atFluid_.setSize(mesh_.nFaces());
+    forAll(atFluid_, facei)
+    {
+        atFluid_[facei] =
+            !materials_.solid(mesh_.faceOwner()[facei])
+         || !(
+                mesh_.isInternalFace(facei)
+              ? materials_.solid(mesh_.faceNeighbour()[facei])
+              : materials_.materials()
+                [
+                    beyond[facei - mesh_.nInternalFaces()]
+                ].solid()
+            );
+    }
+}
+
+
+Foam::scalar Foam::fluxGeometry::height(const vector& n, const vector& d)
+{
+    // A concave cell may see a face from behind: keep its distance positive
+    const scalar hMin = 0.05;
+
+    return max(n & d, hMin*mag(d));
 }
 
 
 void Foam::fluxGeometry::setLengths()
 {
-    const vectorField& Cf = mesh_.faceCentres();
-    const vectorField& C = mesh_.cellCentres();
-    const vectorField& Sf = mesh_.faceAreas();
-    const labelUList& own = mesh_.faceOwner();
-
-    // A concave cell may see a face from behind: keep its distance positive
-    const scalar hMin = 0.05;
-
-    forAll(kind_, facei)
+    if (anyCoupled_)
     {
-        if (moved(facei))
+        forAll(dBeyond_, i)
         {
-            n_[facei] = Sf[facei]/mag(Sf[facei]);
+            dBeyond_[i] = dOwn(mesh_.nInternalFaces() + i);
         }
-        if (!moved(facei) || stays(own[facei]))
-        {
-            continue;
-        }
+        swap(dBeyond_);
 
-        dOwn_[facei] = Cf[facei] - C[own[facei]];
-        hOwn_[facei] =
-            max(n_[facei] & dOwn_[facei], hMin*mag(dOwn_[facei]));
+        forAll(dBeyond_, i)
+        {
+            if (!coupled(mesh_.nInternalFaces() + i))
+            {
+                dBeyond_[i] = Zero;
+            }
+        }
     }
 
-    vectorField dBeyond
-    (
-        SubList<vector>
-        (
-            dOwn_,
-            mesh_.nFaces() - mesh_.nInternalFaces(),
-            mesh_.nInternalFaces()
-        )
-    );
-    swap(dBeyond);
-
     forAll(kind_, facei)
     {
-        if (!moved(facei))
+        if (kind_[facei] == INSIDE && moved(facei))
         {
-            continue;
-        }
-        else if (mesh_.isInternalFace(facei))
-        {
-            if (stays(mesh_.faceNeighbour()[facei]))
-            {
-                continue;
-            }
-            dNei_[facei] = Cf[facei] - C[mesh_.faceNeighbour()[facei]];
-        }
-        else if (coupled(facei))
-        {
-            dNei_[facei] = dBeyond[facei - mesh_.nInternalFaces()];
-        }
-        else
-        {
-            continue;
-        }
+            const scalar h = hNei(facei);
 
-        hNei_[facei] =
-            max(-(n_[facei] & dNei_[facei]), hMin*mag(dNei_[facei]));
-
-        if (kind_[facei] == INSIDE)
-        {
-            w_[facei] = hNei_[facei]/(hOwn_[facei] + hNei_[facei]);
+            dn_[facei] = hOwn(facei) + h;
+            w_[facei] = h/dn_[facei];
         }
     }
 }
 
 
+Foam::tensor Foam::fluxGeometry::faceWarp(const label facei) const
+{
+    const pointField& points = mesh_.points();
+    const face& f = mesh_.faces()[facei];
+    tensor W(Zero);
+
+    if (f.size() == 3)
+    {
+        return W;
+    }
+
+    // The triangles of primitiveMesh::faceCentres
+    const point centre(average(f.points(points)));
+
+    forAll(f, fp)
+    {
+        const point& a = points[f[fp]];
+        const point& b = points[f.nextLabel(fp)];
+
+        const vector S(0.5*((b - a)^(centre - a)));
+        const vector x((a + b + centre)/3 - mesh_.faceCentres()[facei]);
+
+        W += S*x;
+    }
+
+    return W;
+}
+
+
 void Foam::fluxGeometry::setWarp()
 {
-    if (started_ && !warped(false))
-    {
-        return;
-    }
-
-    const pointField& points = mesh_.points();
-    const vectorField& Cf = mesh_.faceCentres();
-    const scalarField magSf(mag(mesh_.faceAreas()));
-
-    scalar maxWarp = 0;
-
-    forAll(kind_, facei)
-    {
-        const face& f = mesh_.faces()[facei];
-
-        if (kind_[facei] != INSIDE || f.size() == 3 || !moved(facei))
-        {
-            continue;
-        }
-
-        warp_[facei] = Zero;
-
-        // The triangles of primitiveMesh::faceCentres
-        const point centre(average(f.points(points)));
-
-        forAll(f, fp)
-        {
-            const point& a = points[f[fp]];
-            const point& b = points[f.nextLabel(fp)];
-
-            const vector S(0.5*((b - a)^(centre - a)));
-            const vector x((a + b + centre)/3 - Cf[facei]);
-
-            warp_[facei] += S*x;
-        }
-
-        maxWarp = max(maxWarp, mag(warp_[facei])/pow(magSf[facei], 1.5));
-    }
-
     if (!started_)
     {
+        scalar maxWarp = 0;
+
+        forAll(kind_, facei)
+        {
+            if (kind_[facei] == INSIDE)
+            {
+                const scalar S = mag(mesh_.faceAreas()[facei]);
+
+                maxWarp = max(maxWarp, mag(faceWarp(facei))/pow(S, 1.5));
+            }
+        }
+
         warped_[true] = returnReduce(maxWarp, maxOp<scalar>()) > 1e-9;
         // In two dimensions no motion warps a face
         warped_[false] = warped_[true] || (moves_ && mesh_.nGeometricD() == 3);
     }
 
-    if (!warped())
+    if (!warped(false))
     {
-        warp_.clear();
         return;
     }
+
+    warp_.setSize(mesh_.nFaces(), Zero);
 
     forAll(kind_, facei)
     {
@@ -263,6 +267,8 @@ void Foam::fluxGeometry::setWarp()
         {
             continue;
         }
+
+        warp_[facei] = faceWarp(facei);
 
         const scalar dV = tr(warp_[facei])/3;
 
@@ -301,30 +307,25 @@ void Foam::fluxGeometry::setSkewness()
             continue;
         }
 
+        const vector dOwn(this->dOwn(facei));
+        const vector dNei(this->dNei(facei));
+        const vector s(skew(facei));
+
         if (kind_[facei] == INSIDE)
         {
-            skew_[facei] =
-                w_[facei]*dOwn_[facei] + (1 - w_[facei])*dNei_[facei];
-
-            maxSkew = max
-            (
-                maxSkew,
-                mag(skew_[facei])/mag(dOwn_[facei] - dNei_[facei])
-            );
+            maxSkew = max(maxSkew, mag(s)/mag(dOwn - dNei));
         }
         else if (kind_[facei] == SYMMETRY)
         {
-            skew_[facei] = tangential(facei, dOwn_[facei]);
-            maxSkew = max(maxSkew, mag(skew_[facei])/mag(dOwn_[facei]));
+            maxSkew = max(maxSkew, mag(s)/mag(dOwn));
         }
 
         // Positions are taken from the cell's centre: less round-off
-        B[own[facei]] += Sf[facei]*(dOwn_[facei] - skew_[facei]);
+        B[own[facei]] += Sf[facei]*(dOwn - s);
 
         if (mesh_.isInternalFace(facei))
         {
-            B[mesh_.faceNeighbour()[facei]] -=
-                Sf[facei]*(dNei_[facei] - skew_[facei]);
+            B[mesh_.faceNeighbour()[facei]] -= Sf[facei]*(dNei - s);
         }
     }
 
@@ -337,7 +338,6 @@ void Foam::fluxGeometry::setSkewness()
 
     if (!skewed())
     {
-        skew_.clear();
         return;
     }
 
@@ -414,6 +414,22 @@ void Foam::fluxGeometry::setUnknowns()
         {
             unknownIndex_[facei] = faces.size();
             faces.append(facei);
+
+            if (mesh_.isInternalFace(facei))
+            {
+                ++nInterfaces_;
+            }
+        }
+    }
+
+    patchSide_.setSize(mesh_.nFaces() - mesh_.nInternalFaces(), -1);
+    nSides_ = nInterfaces_;
+
+    forAll(patchSide_, i)
+    {
+        if (kind_[mesh_.nInternalFaces() + i] != IGNORED)
+        {
+            patchSide_[i] = nSides_++;
         }
     }
 
@@ -430,32 +446,6 @@ void Foam::fluxGeometry::setUnknowns()
 }
 
 
-void Foam::fluxGeometry::keepReference()
-{
-    S0_ = mesh_.faceAreas();
-    n0_ = n_;
-    cellCentres0_ = mesh_.cellCentres();
-    faceCentres0_ = mesh_.faceCentres();
-
-    const labelList beyond(materials_.boundaryNeighbour());
-
-    atFluid_.setSize(mesh_.nFaces());
-    forAll(atFluid_, facei)
-    {
-        atFluid_[facei] =
-            !materials_.solid(mesh_.faceOwner()[facei])
-         || !(
-                mesh_.isInternalFace(facei)
-              ? materials_.solid(mesh_.faceNeighbour()[facei])
-              : materials_.materials()
-                [
-                    beyond[facei - mesh_.nInternalFaces()]
-                ].solid()
-            );
-    }
-}
-
-
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::fluxGeometry::fluxGeometry
@@ -468,24 +458,34 @@ Foam::fluxGeometry::fluxGeometry
     mesh_(U.mesh()),
     materials_(materials),
     kind_(mesh_.nFaces(), IGNORED),
+    nFaces_(0),
     anyCoupled_(false),
     moves_(moves),
     started_(false),
     skewed_{false, false},
     warped_{false, false},
-    w_(mesh_.nFaces(), 0),
-    n_(mesh_.nFaces(), Zero),
-    dOwn_(mesh_.nFaces(), Zero),
-    dNei_(mesh_.nFaces(), Zero),
-    hOwn_(mesh_.nFaces(), 0),
-    hNei_(mesh_.nFaces(), 0),
-    skew_(mesh_.nFaces(), Zero),
-    warp_(mesh_.nFaces(), Zero),
+    w_(),
+    dn_(),
+    warp_(),
+    dBeyond_(),
     V_(mesh_.cellVolumes()),
     invB_(),
-    unknownIndex_(mesh_.nFaces(), -1)
+    unknownIndex_(mesh_.nFaces(), -1),
+    nInterfaces_(0),
+    nSides_(0)
 {
     setKinds(U);
+    if (moves_)
+    {
+        keepReference();
+    }
+    w_.setSize(nFaces_, 0);
+    dn_.setSize(nFaces_, 0);
+    dBeyond_.setSize
+    (
+        anyCoupled_ ? mesh_.nFaces() - mesh_.nInternalFaces() : 0
+    );
+
     setLengths();
     setWarp();
     setSkewness();
@@ -493,10 +493,6 @@ Foam::fluxGeometry::fluxGeometry
     setZone(zones_[true], true);
     setUnknowns();
 
-    if (moves_)
-    {
-        keepReference();
-    }
     started_ = true;
 }
 
@@ -524,6 +520,21 @@ bool Foam::fluxGeometry::coupled(const label facei) const
         [
             mesh_.boundaryMesh().whichPatch(facei)
         ].coupled();
+}
+
+
+Foam::vector Foam::fluxGeometry::skew(const label facei) const
+{
+    if (kind_[facei] == INSIDE)
+    {
+        return w_[facei]*dOwn(facei) + (1 - w_[facei])*dNei(facei);
+    }
+    else if (kind_[facei] == SYMMETRY)
+    {
+        return tangential(facei, dOwn(facei));
+    }
+
+    return Zero;
 }
 
 

@@ -74,15 +74,15 @@ Foam::tmp<Foam::Field<Type>> Foam::fluxGeometry::neighbourSides
 
     const label nInternal = mesh_.nInternalFaces();
 
-    tmp<Field<Type>> tvalues
-    (
-        new Field<Type>
-        (
-            SubList<Type>(faces, mesh_.nFaces() - nInternal, nInternal)
-        )
-    );
+    tmp<Field<Type>> tvalues(new Field<Type>(mesh_.nFaces() - nInternal, Zero));
+    Field<Type>& values = tvalues.ref();
 
-    swap(tvalues.ref());
+    for (label i = 0; i < nFaces_ - nInternal; ++i)
+    {
+        values[i] = faces[nInternal + i];
+    }
+
+    swap(values);
 
     return tvalues;
 }

@@ -68,6 +68,7 @@ template<class Type>
 void Foam::gaussGradient<Type>::link
 (
     const label facei,
+    const vector& d,
     const tensor& GP,
     const tensor& GN,
     vector& uf
@@ -82,11 +83,11 @@ void Foam::gaussGradient<Type>::link
     }
 
     const tensor dG(GN - GP);
-    uf += links_->value(facei, dG);
+    uf += links_->value(facei, d, dG);
 
     if (links_->twists())
     {
-        rotation_[facei] = links_->rotation(facei, dG);
+        rotation_[facei] = faceLinks::rotation(d, dG);
     }
 }
 
@@ -94,6 +95,7 @@ void Foam::gaussGradient<Type>::link
 template<class Type>
 void Foam::gaussGradient<Type>::correct
 (
+    const fluxGeometry::inside& inside,
     const label facei,
     const GradType& GP,
     const GradType& GN,
@@ -105,7 +107,7 @@ void Foam::gaussGradient<Type>::correct
         const scalar w = geometry_.w()[facei];
         const GradType Gf(w*GP + (1 - w)*GN);
 
-        uf += geometry_.skew()[facei] & Gf;
+        uf += inside.skew(facei) & Gf;
 
         if (geometry_.warped(solid_))
         {
@@ -115,23 +117,29 @@ void Foam::gaussGradient<Type>::correct
 
     if (links_)
     {
-        link(facei, GP, GN, uf);
+        link(facei, inside.d(facei), GP, GN, uf);
     }
 }
 
 
 template<class Type>
-void Foam::gaussGradient<Type>::correctFaceValues(Field<Type>& uf)
+void Foam::gaussGradient<Type>::correctFaceValues
+(
+    Field<Type>& uf,
+    Field<GradType>& G
+)
 {
     const fvMesh& mesh = geometry_.mesh();
     const labelUList& own = mesh.faceOwner();
     const labelUList& nei = mesh.faceNeighbour();
 
-    sumFaces(uf, cellGrad_);
+    const fluxGeometry::inside inside(geometry_, solid_);
+
+    sumFaces(uf, G);
 
     for (const label celli : zone_.cells)
     {
-        cellGrad_[celli] /= geometry_.V()[celli];
+        G[celli] /= geometry_.V()[celli];
     }
 
     // Without skew faces B is a unit tensor
@@ -139,8 +147,8 @@ void Foam::gaussGradient<Type>::correctFaceValues(Field<Type>& uf)
     {
         for (const label celli : zone_.cells)
         {
-            const GradType G(cellGrad_[celli]);
-            cellGrad_[celli] = geometry_.invB()[celli] & G;
+            const GradType sum(G[celli]);
+            G[celli] = geometry_.invB()[celli] & sum;
         }
     }
 
@@ -148,37 +156,39 @@ void Foam::gaussGradient<Type>::correctFaceValues(Field<Type>& uf)
     {
         correct
         (
+            inside,
             facei,
-            cellGrad_[own[facei]],
-            cellGrad_[nei[facei]],
+            G[own[facei]],
+            G[nei[facei]],
             uf[facei]
         );
     }
 
     for (const label facei : zone_.symmetry)
     {
-        const GradType& G = cellGrad_[own[facei]];
+        const GradType& GP = G[own[facei]];
 
         if (geometry_.skewed(solid_))
         {
-            uf[facei] += mirrored(facei, geometry_.skew()[facei] & G);
+            uf[facei] += mirrored(facei, geometry_.skew(facei) & GP);
         }
         if (links_)
         {
-            linkMirrored(facei, G, uf[facei]);
+            linkMirrored(facei, GP, uf[facei]);
         }
     }
 
     if (geometry_.anyCoupled())
     {
-        const Field<GradType> GN(geometry_.neighbourValues(cellGrad_));
+        const Field<GradType> GN(geometry_.neighbourValues(G));
 
         for (const label facei : zone_.coupled)
         {
             correct
             (
+                inside,
                 facei,
-                cellGrad_[own[facei]],
+                G[own[facei]],
                 GN[facei - mesh.nInternalFaces()],
                 uf[facei]
             );
@@ -204,7 +214,6 @@ Foam::gaussGradient<Type>::gaussGradient
     links_(links && links->active() ? links : nullptr),
     finiteLinks_(links_ ? linksOfLargeStrain : nullptr),
     twoStages_(geometry.skewed(solid) || links_),
-    cellGrad_(twoStages_ ? geometry.mesh().nCells() : 0, Zero),
     faceGrad_(geometry.warped(solid) ? geometry.mesh().nFaces() : 0, Zero),
     rotation_(links_ && links_->twists() ? geometry.mesh().nFaces() : 0, 0)
 {}
@@ -216,7 +225,8 @@ template<class Type>
 void Foam::gaussGradient<Type>::faceValues
 (
     const Field<Type>& u,
-    Field<Type>& uf
+    Field<Type>& uf,
+    Field<GradType>& G
 )
 {
     const fvMesh& mesh = geometry_.mesh();
@@ -249,7 +259,7 @@ void Foam::gaussGradient<Type>::faceValues
 
     if (twoStages_)
     {
-        correctFaceValues(uf);
+        correctFaceValues(uf, G);
     }
 }
 

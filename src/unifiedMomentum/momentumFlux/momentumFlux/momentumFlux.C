@@ -132,25 +132,30 @@ Foam::momentumFlux::momentumFlux
 )
 :
     geometry_(materials, U, moves),
-    fluidStress_(geometry_, false),
-    solidStress_(geometry_, true),
+    work_(geometry_),
+    fluidStress_(geometry_, false, work_),
+    solidStress_(geometry_, true, work_),
     pressure_(geometry_, p),
     betaDt_(0),
-    coeff_(U.mesh().nFaces() - U.mesh().nInternalFaces(), Zero),
-    reference_(coeff_.size(), Zero),
-    prescribedForce_(reference_),
-    rhoPhi_(U.mesh().nFaces(), 0),
-    convectionWeight_(rhoPhi_),
-    convectionCorrection_(U.mesh().nFaces(), Zero),
+    coeff_(geometry_),
+    reference_(geometry_),
+    prescribedForce_(geometry_),
+    rhoPhi_(geometry_.nFaces(), 0),
+    convectionWeight_
+    (
+        geometry_.cellsAndFaces(false).internal.size()
+      + geometry_.cellsAndFaces(false).coupled.size(),
+        0
+    ),
+    convectionCorrection_(),
     stokesDiag_(U.mesh().nCells(), 0),
     ownShareT_(geometry_.unknownFaces().size(), 0),
     ownShareN_(ownShareT_),
     points_(nullptr),
     interfaceRest_(),
-    uFluid_(convectionCorrection_),
-    vSolid_(convectionCorrection_),
-    ownForce_(convectionCorrection_),
-    neiForce_(convectionCorrection_)
+    uf_(geometry_.nFaces(), Zero),
+    ownForce_(geometry_),
+    neiForce_(geometry_)
 {
     solidMeshCheck(geometry_).warn();
 }
@@ -215,8 +220,7 @@ void Foam::momentumFlux::updateBoundary
     forAll(U.boundaryField(), patchi)
     {
         const fvPatchVectorField& Up = U.boundaryField()[patchi];
-        const label start =
-            Up.patch().start() - geometry_.mesh().nInternalFaces();
+        const label start = Up.patch().start();
 
         if (Up.coupled() || Up.empty())
         {
@@ -266,16 +270,17 @@ const Foam::pressureFlux& Foam::momentumFlux::extrapolatePressure
     const scalarField& p
 )
 {
-    pressure_.interpolate(p, uFluid_, false);
+    pressure_.interpolate(p, uf_, false);
 
     return pressure_;
 }
 
 
-void Foam::momentumFlux::gradP(const scalarField& dp, vectorField& grad)
+const Foam::vectorField& Foam::momentumFlux::gradP(const scalarField& dp)
 {
     pressure_.interpolate(dp, vectorField(), true);
-    grad = pressure_.grad();
+
+    return pressure_.grad();
 }
 
 

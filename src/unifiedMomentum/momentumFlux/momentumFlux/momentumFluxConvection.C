@@ -20,6 +20,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "momentumFlux.H"
+#include "faceValue.H"
 #include "gaussConvectionScheme.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -36,20 +37,25 @@ void Foam::momentumFlux::addConvection
     const labelUList& nei = mesh.faceNeighbour();
     const fluxGeometry::zone& fluid = geometry_.cellsAndFaces(false);
 
-    const auto flux = [&](const label facei, const vector& UN)
+    const bool corrected = convectionCorrection_.size();
+
+    // Face i of internal and coupled faces
+    const auto flux = [&](const label i, const label facei, const vector& UN)
     {
-        const scalar w = convectionWeight_[facei];
+        const scalar w = convectionWeight_[i];
         vector u(w*U[own[facei]] + (1 - w)*UN);
-        if (!homogeneous)
+        if (!homogeneous && corrected)
         {
-            u += convectionCorrection_[facei];
+            u += convectionCorrection_[i];
         }
         return rhoPhi_[facei]*u;
     };
 
-    for (const label facei : fluid.internal)
+    forAll(fluid.internal, i)
     {
-        const vector F(flux(facei, U[nei[facei]]));
+        const label facei = fluid.internal[i];
+        const vector F(flux(i, facei, U[nei[facei]]));
+
         cellForce[own[facei]] -= F;
         cellForce[nei[facei]] += F;
     }
@@ -58,16 +64,22 @@ void Foam::momentumFlux::addConvection
     {
         const vectorField UN(geometry_.neighbourValues(U));
 
-        for (const label facei : fluid.coupled)
+        forAll(fluid.coupled, i)
         {
-            cellForce[own[facei]] -=
-                flux(facei, UN[facei - mesh.nInternalFaces()]);
+            const label facei = fluid.coupled[i];
+
+            cellForce[own[facei]] -= flux
+            (
+                fluid.internal.size() + i,
+                facei,
+                UN[facei - mesh.nInternalFaces()]
+            );
         }
     }
 
     for (const label facei : fluid.ownSides)
     {
-        cellForce[own[facei]] -= rhoPhi_[facei]*uFluid_[facei];
+        cellForce[own[facei]] -= rhoPhi_[facei]*uf_[facei];
     }
 }
 
@@ -130,10 +142,17 @@ void Foam::momentumFlux::setConvection
         return geometry_.materials()[mesh.faceOwner()[facei]].rho();
     };
 
-    for (const label facei : fluid.internal)
+    forAll(fluid.internal, i)
     {
+        const label facei = fluid.internal[i];
+
         rhoPhi_[facei] = rho(facei)*phi[facei];
-        convectionWeight_[facei] = weights[facei];
+        convectionWeight_[i] = weights[facei];
+    }
+    forAll(fluid.coupled, i)
+    {
+        convectionWeight_[fluid.internal.size() + i] =
+            faceValue(weights, fluid.coupled[i]);
     }
 
     forAll(mesh.boundary(), patchi)
@@ -154,7 +173,6 @@ void Foam::momentumFlux::setConvection
             )
             {
                 rhoPhi_[facei] = rho(facei)*phi.boundaryField()[patchi][i];
-                convectionWeight_[facei] = weights.boundaryField()[patchi][i];
             }
         }
     }
@@ -162,19 +180,16 @@ void Foam::momentumFlux::setConvection
     if (scheme.corrected())
     {
         const surfaceVectorField correction(scheme.correction(U));
+        convectionCorrection_.setSize(convectionWeight_.size());
 
-        for (const label facei : fluid.internal)
+        forAll(fluid.internal, i)
         {
-            convectionCorrection_[facei] = correction[facei];
+            convectionCorrection_[i] = correction[fluid.internal[i]];
         }
-        for (const label facei : fluid.coupled)
+        forAll(fluid.coupled, i)
         {
-            const label patchi = mesh.boundaryMesh().whichPatch(facei);
-            convectionCorrection_[facei] =
-                correction.boundaryField()[patchi]
-                [
-                    facei - mesh.boundary()[patchi].start()
-                ];
+            convectionCorrection_[fluid.internal.size() + i] =
+                faceValue(correction, fluid.coupled[i]);
         }
     }
 }
@@ -197,9 +212,9 @@ void Foam::momentumFlux::divergence
 
     if (!current)
     {
-        setFaceVelocities(z, false, homogeneous, nullptr, uFluid_);
-        fluidStress_.interpolate(z.U, uFluid_);
-        pressure_.interpolate(z.p, uFluid_, homogeneous);
+        setFaceVelocities(z, false, homogeneous, nullptr, uf_);
+        fluidStress_.interpolate(z.U, uf_);
+        pressure_.interpolate(z.p, uf_, homogeneous);
     }
 
     div = 0;
@@ -223,7 +238,7 @@ void Foam::momentumFlux::divergence
         scalar phif =
             points_ && geometry_.kind(facei) == fluxGeometry::INTERFACE
           ? ofPoints[facei]
-          : (S[facei] & uFluid_[facei]) + pressure_.flux(facei, z.p);
+          : (S[facei] & uf_[facei]) + pressure_.flux(facei, z.p);
 
         if
         (

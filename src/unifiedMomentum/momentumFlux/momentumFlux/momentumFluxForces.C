@@ -45,13 +45,11 @@ void Foam::momentumFlux::setFaceVelocities
         }
         else
         {
-            const label i = facei - mesh.nInternalFaces();
-
-            u = coeff_[i] & z.U[mesh.faceOwner()[facei]];
+            u = coeff_[facei] & z.U[mesh.faceOwner()[facei]];
 
             if (!homogeneous)
             {
-                u += reference_[i];
+                u += reference_[facei];
             }
         }
 
@@ -117,11 +115,11 @@ void Foam::momentumFlux::evaluateFluid
     const fluxGeometry::zone& fluid = geometry_.cellsAndFaces(false);
     const vectorField& S = geometry_.S(false);
 
-    setFaceVelocities(z, false, homogeneous, nullptr, uFluid_);
-    fluidStress_.interpolate(z.U, uFluid_);
-    fluidStress_.addInsideForces(z.U, uFluid_, cellForce);
+    setFaceVelocities(z, false, homogeneous, nullptr, uf_);
+    fluidStress_.interpolate(z.U, uf_);
+    fluidStress_.addInsideForces(z.U, uf_, cellForce);
 
-    pressure_.interpolate(z.p, uFluid_, homogeneous);
+    pressure_.interpolate(z.p, uf_, homogeneous);
     pressure_.addInsideForces(cellForce);
 
     addConvection(z.U, homogeneous, cellForce);
@@ -155,19 +153,19 @@ void Foam::momentumFlux::evaluateSolid
 {
     const fluxGeometry::zone& solid = geometry_.cellsAndFaces(true);
 
-    setFaceVelocities(z, true, !offset, offset, vSolid_);
+    setFaceVelocities(z, true, !offset, offset, uf_);
     solidStress_.setTangent(!offset);
 
     if (offset)
     {
         const vectorField v(z.U + offset->cells);
-        solidStress_.interpolate(v, vSolid_);
-        solidStress_.addInsideForces(v, vSolid_, cellForce);
+        solidStress_.interpolate(v, uf_);
+        solidStress_.addInsideForces(v, uf_, cellForce);
     }
     else
     {
-        solidStress_.interpolate(z.U, vSolid_);
-        solidStress_.addInsideForces(z.U, vSolid_, cellForce);
+        solidStress_.interpolate(z.U, uf_);
+        solidStress_.addInsideForces(z.U, uf_, cellForce);
     }
 
     for (const label facei : solid.ownSides)
@@ -193,14 +191,15 @@ void Foam::momentumFlux::forces
     const labelUList& own = mesh.faceOwner();
     const bool homogeneous = !offset;
 
+    // The fluid last: divergence takes its velocities of interfaces
     cellForce = Zero;
-    evaluateFluid(z, homogeneous, cellForce);
     evaluateSolid(z, offset, cellForce);
+    evaluateFluid(z, homogeneous, cellForce);
 
     vectorField beyond;
     if (geometry_.anyCoupled())
     {
-        beyond = geometry_.neighbourSides(ownForce_);
+        beyond = ownForce_.neighbourSides();
     }
 
     // Faces whose velocity is an unknown
@@ -235,7 +234,7 @@ void Foam::momentumFlux::forces
             (
                 homogeneous
               ? vector(Zero)
-              : prescribedForce_[facei - mesh.nInternalFaces()]
+              : prescribedForce_[facei]
             );
 
             cellForce[own[facei]] += given;

@@ -28,8 +28,6 @@ License
 void Foam::pressureFlux::setStencils()
 {
     const fvMesh& mesh = geometry_.mesh();
-    const vectorField& dOwn = geometry_.dOwn();
-    const vectorField& dNei = geometry_.dNei();
 
     labelList stencilOf(mesh.nCells(), -1);
     DynamicList<label> cells;
@@ -54,14 +52,14 @@ void Foam::pressureFlux::setStencils()
     {
         if (extrapolate_[facei])
         {
-            addSide(facei, mesh.faceOwner()[facei], dOwn[facei]);
+            addSide(facei, mesh.faceOwner()[facei], geometry_.dOwn(facei));
         }
     }
     for (const label facei : zone_.neiSides)
     {
         if (extrapolate_[facei])
         {
-            addSide(facei, mesh.faceNeighbour()[facei], dNei[facei]);
+            addSide(facei, mesh.faceNeighbour()[facei], geometry_.dNei(facei));
         }
     }
 
@@ -83,7 +81,7 @@ void Foam::pressureFlux::setStencils()
             vector d;
             if (geometry_.kind(facei) == fluxGeometry::INSIDE)
             {
-                d = dOwn[facei] - dNei[facei];
+                d = geometry_.dOwn(facei) - geometry_.dNei(facei);
                 if (mesh.faceOwner()[facei] != st.celli)
                 {
                     d = -d;
@@ -91,14 +89,14 @@ void Foam::pressureFlux::setStencils()
             }
             else if (fixesP_[facei])
             {
-                d = dOwn[facei];
+                d = geometry_.dOwn(facei);
             }
             else
             {
                 if (geometry_.kind(facei) == fluxGeometry::SYMMETRY)
                 {
                     // The mirrored cell has the same pressure
-                    sum += sqr(geometry_.n()[facei]);
+                    sum += sqr(geometry_.n(facei));
                 }
                 continue;
             }
@@ -161,7 +159,7 @@ void Foam::pressureFlux::extrapolate
 
 void Foam::pressureFlux::setGradients(const scalarField& p)
 {
-    gradient_.faceValues(p, pf_);
+    gradient_.faceValues(p, pf_, grad_);
     gradient_.cellGradients(pf_, grad_);
 
     if (geometry_.anyCoupled())
@@ -217,12 +215,12 @@ Foam::pressureFlux::pressureFlux
     zone_(geometry.cellsAndFaces(false)),
     fixesP_(geometry.mesh().nFaces(), false),
     extrapolate_(geometry.mesh().nFaces(), false),
-    internalCoeff_(geometry.mesh().nFaces(), 0),
-    reference_(internalCoeff_),
+    internalCoeff_(geometry),
+    reference_(geometry),
     anyIncomplete_(false),
-    rhieChow_(internalCoeff_),
+    rhieChow_(geometry.nFaces(), 0),
     gradient_(geometry, false),
-    pf_(internalCoeff_),
+    pf_(rhieChow_),
     grad_(geometry.mesh().nCells(), Zero)
 {
     for (const label facei : geometry.unknownFaces())
@@ -320,14 +318,13 @@ void Foam::pressureFlux::setRhieChow(const scalarField& D)
     const labelUList& own = mesh.faceOwner();
     const labelUList& nei = mesh.faceNeighbour();
     const scalarField& w = geometry_.w();
-    const scalarField& hOwn = geometry_.hOwn();
-    const scalarField& hNei = geometry_.hNei();
 
     const auto coefficient = [&](const label facei, const scalar DN)
     {
         return
             ((1 - w[facei])*D[own[facei]] + w[facei]*DN)
-           *mag(geometry_.S(false)[facei])/(hOwn[facei] + hNei[facei]);
+           *mag(geometry_.S(false)[facei])
+           /geometry_.dn()[facei];
     };
 
     for (const label facei : zone_.internal)
@@ -347,7 +344,7 @@ void Foam::pressureFlux::setRhieChow(const scalarField& D)
     {
         rhieChow_[facei] =
             fixesP_[facei]
-          ? D[own[facei]]*mag(geometry_.S(false)[facei])/hOwn[facei]
+          ? D[own[facei]]*mag(geometry_.S(false)[facei])/geometry_.hOwn(facei)
           : 0;
     }
 }
@@ -365,7 +362,7 @@ void Foam::pressureFlux::addPatchFlux
     {
         return
             (1 - internalCoeff_[facei])*D[mesh.faceOwner()[facei]]
-           *mag(geometry_.S(false)[facei])/geometry_.hOwn()[facei];
+           *mag(geometry_.S(false)[facei])/geometry_.hOwn(facei);
     };
 
     for (const label facei : zone_.ownSides)
@@ -382,8 +379,8 @@ void Foam::pressureFlux::addPatchFlux
     {
         const label celli = mesh.faceOwner()[head.facei];
         const scalar ratio =
-            max(head.c & geometry_.n()[head.facei], scalar(0))
-           *D[celli]/geometry_.hOwn()[head.facei];
+            max(head.c & geometry_.n(head.facei), scalar(0))
+           *D[celli]/geometry_.hOwn(head.facei);
 
         head.follows = ratio/(1 + ratio);
         cellCoeffs[celli] -= flux(head.facei)*head.follows;
@@ -394,7 +391,7 @@ void Foam::pressureFlux::addPatchFlux
 void Foam::pressureFlux::addDynamicHeads
 (
     const direction k,
-    const tensorField& patchCoeff,
+    const sideField<tensor>& patchCoeff,
     scalarField& cellCoeffs
 ) const
 {
@@ -404,7 +401,7 @@ void Foam::pressureFlux::addDynamicHeads
     {
         const vector ofCell
         (
-            head.c & patchCoeff[head.facei - mesh.nInternalFaces()]
+            head.c & patchCoeff[head.facei]
         );
 
         cellCoeffs[mesh.faceOwner()[head.facei]] +=
@@ -523,13 +520,12 @@ Foam::scalar Foam::pressureFlux::flux
 
     const fvMesh& mesh = geometry_.mesh();
     const label celli = mesh.faceOwner()[facei];
-    const vector& dOwn = geometry_.dOwn()[facei];
 
     if (geometry_.kind(facei) != fluxGeometry::INSIDE)
     {
         return
           - rhieChow_[facei]*(1 - internalCoeff_[facei])
-           *(pf_[facei] - p[celli] - (dOwn & grad_[celli]));
+           *(pf_[facei] - p[celli] - (geometry_.dOwn(facei) & grad_[celli]));
     }
 
     const scalar w = geometry_.w()[facei];
@@ -538,7 +534,7 @@ Foam::scalar Foam::pressureFlux::flux
     const label other = internal ? mesh.faceNeighbour()[facei] : -1;
     const scalar pOther = internal ? p[other] : pN_[beyond];
     const vector& gradOther = internal ? grad_[other] : gradN_[beyond];
-    const vector d(dOwn - geometry_.dNei()[facei]);
+    const vector d(geometry_.d(false, facei));
     const vector grad((1 - w)*grad_[celli] + w*gradOther);
 
     return -rhieChow_[facei]*(pOther - p[celli] - (d & grad));

@@ -60,11 +60,11 @@ void Foam::solidMeshCheck::checkCells()
             if (free[facei])
             {
                 const bool owner = mesh.faceOwner()[facei] == celli;
-                const vector& n = geometry_.n()[facei];
+                const vector n(geometry_.n(facei));
                 normals.append(owner ? n : -n);
                 heights.append
                 (
-                    owner ? geometry_.hOwn()[facei] : geometry_.hNei()[facei]
+                    owner ? geometry_.hOwn(facei) : geometry_.hNei(facei)
                 );
             }
         }
@@ -111,9 +111,9 @@ void Foam::solidMeshCheck::checkFaces()
 
     const auto check = [&](const label facei)
     {
-        const vector d(geometry_.dOwn()[facei] - geometry_.dNei()[facei]);
+        const vector d(geometry_.dOwn(facei) - geometry_.dNei(facei));
 
-        if ((d & geometry_.n()[facei]) < minCosine*mag(d))
+        if ((d & geometry_.n(facei)) < minCosine*mag(d))
         {
             oblique_.add(geometry_.mesh().faceCentres()[facei]);
         }

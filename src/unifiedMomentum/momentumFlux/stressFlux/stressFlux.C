@@ -34,8 +34,9 @@ void Foam::stressFlux::jumpForces(const vectorField& u, const vectorField& uf)
     const fvMesh& mesh = geometry_.mesh();
     const labelUList& own = mesh.faceOwner();
     const labelUList& nei = mesh.faceNeighbour();
-    const vectorField& dOwn = geometry_.dOwn();
-    const vectorField& dNei = geometry_.dNei();
+    const vectorField& C = geometry_.cellCentres(solid_);
+    const vectorField& Cf = geometry_.faceCentres(solid_);
+    const vectorField& S = geometry_.S(solid_);
     const scalarField& V = geometry_.V();
 
     for (const label celli : zone_.cells)
@@ -48,19 +49,25 @@ void Foam::stressFlux::jumpForces(const vectorField& u, const vectorField& uf)
     const auto ownSide = [&](const label facei)
     {
         const label c = own[facei];
-        const vector r(uf[facei] - u[c] - (dOwn[facei] & grad_[c]));
+        const vector dx(Cf[facei] - C[c]);
+        const vector r(uf[facei] - u[c] - (dx & grad_[c]));
+        const vector& e = stiffness_.axis(c, dx, S[facei]);
+        const vector F(factor_*stiffness_.own(facei, e, r));
 
-        ownJump_[facei] = stiffness_.own(facei, r);
-        stress_[c] += dOwn[facei]*ownJump_[facei];
+        ownForce_[facei] = F;
+        stress_[c] += dx*F;
     };
 
     const auto neiSide = [&](const label facei)
     {
         const label c = nei[facei];
-        const vector r(uf[facei] - u[c] - (dNei[facei] & grad_[c]));
+        const vector dx(Cf[facei] - C[c]);
+        const vector r(uf[facei] - u[c] - (dx & grad_[c]));
+        const vector& e = stiffness_.axis(c, dx, S[facei]);
+        const vector F(factor_*stiffness_.nei(facei, e, r));
 
-        neiJump_[facei] = stiffness_.nei(facei, r);
-        stress_[c] += dNei[facei]*neiJump_[facei];
+        neiForce_[facei] = F;
+        stress_[c] += dx*F;
     };
 
     for (const label facei : zone_.internal)
@@ -107,24 +114,17 @@ void Foam::stressFlux::setSideForces()
     const labelUList& nei = mesh.faceNeighbour();
     const vectorField& S = geometry_.S(solid_);
 
-    const auto ownSide = [&](const label facei)
-    {
-        ownForce_[facei] =
-            (S[facei] & stress_[own[facei]]) + ownJump_[facei];
-    };
-
     for (const label facei : zone_.coupled)
     {
-        ownSide(facei);
+        ownForce_[facei] += S[facei] & stress_[own[facei]];
     }
     for (const label facei : zone_.ownSides)
     {
-        ownSide(facei);
+        ownForce_[facei] += S[facei] & stress_[own[facei]];
     }
     for (const label facei : zone_.neiSides)
     {
-        neiForce_[facei] =
-            neiJump_[facei] - (S[facei] & stress_[nei[facei]]);
+        neiForce_[facei] -= S[facei] & stress_[nei[facei]];
     }
 }
 
@@ -166,15 +166,14 @@ void Foam::stressFlux::addForces(vectorField& cellForce)
         );
         const vector F
         (
-            (S[facei] & sigma) + (1 - wP)*ownJump_[facei]
-          - wP*neiJump_[facei]
+            (S[facei] & sigma) + (1 - wP)*ownForce_[facei]
+          - wP*neiForce_[facei]
         );
 
         cellForce[own[facei]] += F;
         cellForce[nei[facei]] -= F;
     }
 
-    setSideForces();
     addCoupledForces(cellForce);
 }
 
@@ -185,16 +184,17 @@ Foam::stressFlux::stressFlux
 (
     const fluxGeometry& geometry,
     const bool solid,
-    const bool withForces
+    workArrays& work
 )
 :
     geometry_(geometry),
     solid_(solid),
     zone_(geometry.cellsAndFaces(solid)),
+    factor_(1),
     mu_(geometry.materials().materials().size()),
     lambda_(mu_.size()),
     links_(geometry, solid),
-    stiffness_(geometry, links_),
+    stiffness_(geometry, solid, links_, work.stiffness),
     finite_(geometry, solid),
     finiteLinks_
     (
@@ -203,14 +203,18 @@ Foam::stressFlux::stressFlux
       : nullptr
     ),
     gradient_(geometry, solid, &links_, finiteLinks_.get()),
-    grad_(withForces ? geometry.mesh().nCells() : 0, Zero),
-    stress_(grad_),
-    adjoint_(gradient_.twoStages() ? grad_.size() : 0, Zero),
-    ownJump_(withForces ? geometry.mesh().nFaces() : 0, Zero),
-    neiJump_(ownJump_),
-    ownForce_(ownJump_),
-    neiForce_(ownJump_)
+    grad_(work.grad),
+    stress_(work.stress),
+    ownForce_(work.ownForce),
+    neiForce_(work.neiForce),
+    adjoint_(work.adjoint)
 {
+    if (gradient_.twoStages())
+    {
+        adjoint_.setSize(grad_.size(), Zero);
+    }
+
+    links_.forgetLengths();
     setFactor(1);
 }
 
@@ -227,21 +231,20 @@ void Foam::stressFlux::setFactor(const scalar factor)
         lambda_[materiali] = factor*materials.materials()[materiali].lambda();
     }
 
-    stiffness_.set(mu_, lambda_);
+    factor_ = factor;
     finite_.setScale(factor);
 }
 
 
 void Foam::stressFlux::updateGeometry()
 {
-    stiffness_.updateLengths();
-    stiffness_.set(mu_, lambda_);
+    stiffness_.updateGeometry(links_);
 }
 
 
 void Foam::stressFlux::interpolate(const vectorField& u, vectorField& uf)
 {
-    gradient_.faceValues(u, uf);
+    gradient_.faceValues(u, uf, grad_);
     gradient_.cellGradients(uf, grad_);
 }
 
@@ -254,15 +257,14 @@ void Foam::stressFlux::addInsideForces
 )
 {
     jumpForces(u, uf);
+    setSideForces();
 
     if (gradient_.twoStages())
     {
-        addTwoStageForces(cellForce);
+        addAdjoint();
     }
-    else
-    {
-        addForces(cellForce);
-    }
+
+    addForces(cellForce);
 }
 
 
@@ -304,14 +306,14 @@ Foam::scalar Foam::stressFlux::energy(const vectorField& u, vectorField& uf)
     {
         for (const label facei : faces)
         {
-            twice += (uf[facei] - u[own[facei]]) & ownJump_[facei];
+            twice += (uf[facei] - u[own[facei]]) & ownForce_[facei];
         }
     }
     for (const labelList& faces : {zone_.internal, zone_.neiSides})
     {
         for (const label facei : faces)
         {
-            twice += (uf[facei] - u[nei[facei]]) & neiJump_[facei];
+            twice += (uf[facei] - u[nei[facei]]) & neiForce_[facei];
         }
     }
 
@@ -326,7 +328,7 @@ Foam::scalar Foam::stressFlux::diffusion(const label facei) const
     return
         mu_[geometry_.materials().materialIndex(celli)]
        *mag(geometry_.S(solid_)[facei])
-       /(geometry_.hOwn()[facei] + geometry_.hNei()[facei]);
+       /geometry_.dn()[facei];
 }
 
 
@@ -338,7 +340,7 @@ Foam::scalar Foam::stressFlux::extraNormal(const label facei) const
     return
         (mu_[materiali] + lambda_[materiali])
        *mag(geometry_.S(solid_)[facei])
-       /(geometry_.hOwn()[facei] + geometry_.hNei()[facei]);
+       /geometry_.dn()[facei];
 }
 
 
@@ -351,14 +353,14 @@ Foam::scalar Foam::stressFlux::sideDiffusion
     const fvMesh& mesh = geometry_.mesh();
     const label celli =
         owner ? mesh.faceOwner()[facei] : mesh.faceNeighbour()[facei];
-    const scalar h = owner ? geometry_.hOwn()[facei] : geometry_.hNei()[facei];
+    const scalar h = owner ? geometry_.hOwn(facei) : geometry_.hNei(facei);
 
     return
         0.5
        *(
             mu_[geometry_.materials().materialIndex(celli)]
            *mag(geometry_.S(solid_)[facei])/h
-          + stiffness_.across(facei, owner)
+          + factor_*stiffness_.across(facei, owner)
         );
 }
 
@@ -373,14 +375,14 @@ Foam::scalar Foam::stressFlux::sideExtraNormal
     const label celli =
         owner ? mesh.faceOwner()[facei] : mesh.faceNeighbour()[facei];
     const label materiali = geometry_.materials().materialIndex(celli);
-    const scalar h = owner ? geometry_.hOwn()[facei] : geometry_.hNei()[facei];
+    const scalar h = owner ? geometry_.hOwn(facei) : geometry_.hNei(facei);
 
     return
         0.5
        *(
             (mu_[materiali] + lambda_[materiali])
            *mag(geometry_.S(solid_)[facei])/h
-          + stiffness_.extraNormal(facei, owner)
+          + factor_*stiffness_.extraNormal(facei, owner)
         );
 }
 

@@ -44,18 +44,18 @@ void Foam::stressFlux::finiteJumpForces
     {
         const label c =
             owner ? mesh.faceOwner()[facei] : mesh.faceNeighbour()[facei];
-        const vector& dx =
-            owner ? geometry_.dOwn()[facei] : geometry_.dNei()[facei];
+        const vector dx =
+            owner ? geometry_.dOwn(facei) : geometry_.dNei(facei);
         const vector r(uf[facei] - u[c] - (dx & grad_[c]));
 
         const finiteStrain::sideStiffness A
         {
-            stiffness_.across(facei, owner),
-            stiffness_.along(facei, owner),
+            factor_*stiffness_.across(facei, owner),
+            factor_*stiffness_.along(facei, owner),
             stiffness_.axis(facei, owner)
         };
 
-        (owner ? ownJump_ : neiJump_)[facei] =
+        (owner ? ownForce_ : neiForce_)[facei] =
             finite_.jumpForce(facei, owner, A, dx, r, stress_[c]);
     };
 
@@ -120,7 +120,7 @@ Foam::scalar Foam::stressFlux::twiceFiniteEnergy() const
 
     const auto jump = [&](const label facei, const bool owner)
     {
-        const vector& F = owner ? ownJump_[facei] : neiJump_[facei];
+        const vector& F = owner ? ownForce_[facei] : neiForce_[facei];
 
         twice += F & finite_.jump(facei, owner);
     };
@@ -150,18 +150,19 @@ Foam::scalar Foam::stressFlux::twiceFiniteEnergy() const
 
 Foam::scalar Foam::stressFlux::twiceTwistEnergy() const
 {
+    const labelUList& own = geometry_.mesh().faceOwner();
     scalar twice = 0;
 
     if (links_.twists())
     {
         for (const label facei : zone_.internal)
         {
-            twice += twistMoment(facei)*gradient_.rotation()[facei];
+            twice += twistMoment(facei, own[facei])*gradient_.rotation()[facei];
         }
         for (const label facei : zone_.coupled)
         {
             // The other half belongs to the other side
-            twice += 0.5*twistMoment(facei)*gradient_.rotation()[facei];
+            twice += 0.5*twistMoment(facei, own[facei])*gradient_.rotation()[facei];
         }
     }
 

@@ -23,30 +23,16 @@ License
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::scalar Foam::stressFlux::twistMoment(const label facei) const
-{
-    if (!links_.twists())
-    {
-        return 0;
-    }
-
-    const label celli = geometry_.mesh().faceOwner()[facei];
-
-    return
-        mu_[geometry_.materials().materialIndex(celli)]
-       *links_.twist(facei)*gradient_.rotation()[facei];
-}
-
-
 Foam::tensor Foam::stressFlux::skewAdjoint
 (
+    const fluxGeometry::inside& inside,
     const label facei,
     const vector& R,
     const tensor& ownStress,
     const tensor& neiStress
 ) const
 {
-    tensor q(geometry_.skew()[facei]*R);
+    tensor q(inside.skew(facei)*R);
 
     if (geometry_.warped(solid_))
     {
@@ -61,13 +47,15 @@ Foam::tensor Foam::stressFlux::skewAdjoint
 
 void Foam::stressFlux::addLinkAdjoint
 (
+    const fluxGeometry::inside& inside,
     const label facei,
+    const label celli,
     const vector& R,
     tensor& QP,
     tensor* QN
 )
 {
-    const scalar moment = twistMoment(facei);
+    const scalar moment = twistMoment(facei, celli);
 
     if (finiteLinks_.valid())
     {
@@ -83,7 +71,7 @@ void Foam::stressFlux::addLinkAdjoint
         return;
     }
 
-    const tensor q(links_.adjoint(facei, R, moment));
+    const tensor q(links_.adjoint(facei, inside.d(facei), R, moment));
 
     QP -= q;
     if (QN)
@@ -93,15 +81,17 @@ void Foam::stressFlux::addLinkAdjoint
 }
 
 
-void Foam::stressFlux::setAdjoint()
+void Foam::stressFlux::addAdjoint()
 {
     const fvMesh& mesh = geometry_.mesh();
     const label nInternal = mesh.nInternalFaces();
     const labelUList& own = mesh.faceOwner();
     const labelUList& nei = mesh.faceNeighbour();
+    const vectorField& S = geometry_.S(solid_);
     const scalarField& w = geometry_.w();
     const bool skewed = geometry_.skewed(solid_);
     const bool linked = links_.active();
+    const fluxGeometry::inside inside(geometry_, solid_);
 
     tensorField& Q = adjoint_;
 
@@ -114,17 +104,21 @@ void Foam::stressFlux::setAdjoint()
     {
         const label P = own[facei];
         const label N = nei[facei];
-        const vector R(ownForce_[facei] + neiForce_[facei]);
+        const vector F((S[facei] & stress_[P]) + ownForce_[facei]);
+        const vector R(F + (neiForce_[facei] - (S[facei] & stress_[N])));
 
         if (skewed)
         {
-            const tensor q(skewAdjoint(facei, R, stress_[P], stress_[N]));
+            const tensor q
+            (
+                skewAdjoint(inside, facei, R, stress_[P], stress_[N])
+            );
             Q[P] += w[facei]*q;
             Q[N] += (1 - w[facei])*q;
         }
         if (linked)
         {
-            addLinkAdjoint(facei, R, Q[P], &Q[N]);
+            addLinkAdjoint(inside, facei, P, R, Q[P], &Q[N]);
         }
     }
 
@@ -149,6 +143,7 @@ void Foam::stressFlux::setAdjoint()
                     w[facei]
                    *skewAdjoint
                     (
+                        inside,
                         facei,
                         R,
                         stress_[P],
@@ -157,7 +152,7 @@ void Foam::stressFlux::setAdjoint()
             }
             if (linked)
             {
-                addLinkAdjoint(facei, R, Q[P], nullptr);
+                addLinkAdjoint(inside, facei, P, R, Q[P], nullptr);
             }
         }
     }
@@ -168,7 +163,7 @@ void Foam::stressFlux::setAdjoint()
 
         if (skewed)
         {
-            Q[own[facei]] += geometry_.skew()[facei]*R;
+            Q[own[facei]] += geometry_.skew(facei)*R;
         }
         if (linked)
         {
@@ -197,57 +192,22 @@ void Foam::stressFlux::setAdjoint()
         {
             Q[celli] = q;
         }
+
+        stress_[celli] += Q[celli];
     }
-}
 
-
-void Foam::stressFlux::addTwoStageForces(vectorField& cellForce)
-{
-    const fvMesh& mesh = geometry_.mesh();
-    const labelUList& own = mesh.faceOwner();
-    const labelUList& nei = mesh.faceNeighbour();
-    const vectorField& S = geometry_.S(solid_);
-    const scalarField& w = geometry_.w();
-
-    for (const label facei : zone_.internal)
-    {
-        ownForce_[facei] =
-            (S[facei] & stress_[own[facei]]) + ownJump_[facei];
-        neiForce_[facei] =
-            neiJump_[facei] - (S[facei] & stress_[nei[facei]]);
-    }
-    setSideForces();
-    setAdjoint();
-
-    const tensorField& Z = adjoint_;
-
-    for (const label facei : zone_.internal)
-    {
-        ownForce_[facei] += S[facei] & Z[own[facei]];
-        neiForce_[facei] -= S[facei] & Z[nei[facei]];
-
-        const vector F
-        (
-            (1 - w[facei])*ownForce_[facei] - w[facei]*neiForce_[facei]
-        );
-
-        cellForce[own[facei]] += F;
-        cellForce[nei[facei]] -= F;
-    }
     for (const label facei : zone_.coupled)
     {
-        ownForce_[facei] += S[facei] & Z[own[facei]];
+        ownForce_[facei] += S[facei] & Q[own[facei]];
     }
     for (const label facei : zone_.ownSides)
     {
-        ownForce_[facei] += S[facei] & Z[own[facei]];
+        ownForce_[facei] += S[facei] & Q[own[facei]];
     }
     for (const label facei : zone_.neiSides)
     {
-        neiForce_[facei] -= S[facei] & Z[nei[facei]];
+        neiForce_[facei] -= S[facei] & Q[nei[facei]];
     }
-
-    addCoupledForces(cellForce);
 }
 
 

@@ -101,7 +101,7 @@ void Foam::timeScheme::setKnown
     const volVectorField& D0 = fields.D().oldTime();
     const volVectorField& D00 = D0.oldTime();
     const surfaceVectorField& Df0 = fields.Df().oldTime();
-    const surfaceVectorField& Df00 = Df0.oldTime();
+    const sideField<vector>& Df00 = fields.DfOldOld();
     const volScalarField& e0 = fields.continuityError().oldTime();
     const volScalarField& e00 = e0.oldTime();
     const scalarField& V = geometry.V();
@@ -117,7 +117,7 @@ void Foam::timeScheme::setKnown
     const auto star = [&](const label facei)
     {
         known.D.faces[facei] =
-            (c0*faceValue(Df0, facei) - c00*faceValue(Df00, facei))
+            (c0*faceValue(Df0, facei) - c00*Df00[facei])
            /(c*betaDt);
     };
     for (const label facei : geometry.cellsAndFaces(true).ownSides)

@@ -36,7 +36,7 @@ Foam::picardSystem::picardSystem
         flux.geometry().mesh().solutionDict().subDict("PIMPLE")
        .subOrEmptyDict("krylov")
     ),
-    known_(),
+    known_(flux.geometry()),
     z_
     (
         flux.geometry().mesh().nCells(),
@@ -50,15 +50,7 @@ Foam::picardSystem::picardSystem
     failure_(flux.geometry(), sweep_, controls, residuals_),
     nSweeps_(0),
     progress_()
-{
-    const label nCells = z_.U.size();
-
-    known_.U.setSize(nCells, Zero);
-    known_.D.cells.setSize(nCells, Zero);
-    known_.D.faces.setSize(flux.geometry().mesh().nFaces(), Zero);
-    known_.volumeError.setSize(nCells, 0);
-    known_.force.setSize(nCells, Zero);
-}
+{}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -67,6 +59,7 @@ void Foam::picardSystem::tryOut()
 {
     sweep_.update();
     sweep_.tryOut();
+    sweep_.release();
 }
 
 
@@ -90,6 +83,7 @@ void Foam::picardSystem::updateGeometry()
 void Foam::picardSystem::update(const surfaceScalarField& phi)
 {
     sweep_.update();
+    sweep_.release();
     failure_.checkDiagonal();
     sweep_.enclosed().checkFlux(phi);
     residuals_.setElastic(known_.D);

@@ -95,7 +95,7 @@ void Foam::unifiedSystem::startFromDisk()
     }
 
     start.setFlux();
-    fields_.keepLevels();
+    fields_.keepLevels(flux_.geometry());
 }
 
 
@@ -394,6 +394,7 @@ void Foam::unifiedSystem::updateDisplacement()
         flux_.betaDt()
     );
     forces_.correct(fields_.U());
+    fields_.endStep(flux_.geometry());
 }
 
 

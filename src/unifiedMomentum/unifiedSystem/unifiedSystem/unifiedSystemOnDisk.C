@@ -67,11 +67,8 @@ void Foam::unifiedSystem::evaluate()
     flux_.patchVelocities(z, uf);
 
     // D = D* + beta dt U, the other way round
-    momentumFlux::displacementVelocity star
-    {
-        fields_.D().primitiveField()/flux_.betaDt() - z.U,
-        vectorField(mesh_.nFaces(), Zero)
-    };
+    momentumFlux::displacementVelocity star(geometry);
+    star.cells = fields_.D().primitiveField()/flux_.betaDt() - z.U;
     for (const labelList& faces :
         {geometry.cellsAndFaces(true).ownSides, geometry.unknownFaces()})
     {

@@ -398,10 +398,7 @@ static void testTurned(const Time& runTime, const label nD)
     vectorField D(mesh->nCells());
     vectorField Df(mesh->nFaces());
     unifiedVector v(s.zero());
-    momentumFlux::displacementVelocity none
-    {
-        vectorField(mesh->nCells(), Zero), vectorField(mesh->nFaces(), Zero)
-    };
+    const momentumFlux::displacementVelocity none(s.flux.geometry());
     forAll(D, celli)
     {
         D[celli] = displacement(mesh->cellCentres()[celli]);
@@ -484,7 +481,8 @@ static void testRigid(const Time& runTime, const string& kind)
     solids s(mesh(), freePatches, 1);
 
     const solidNodes nodes(s.flux.geometry());
-    const stressFlux stress(s.flux.geometry(), true);
+    stressFlux::workArrays none;
+    const stressFlux stress(s.flux.geometry(), true, none);
     solidStiffness K(nodes, stress, true);
     K.update
     (

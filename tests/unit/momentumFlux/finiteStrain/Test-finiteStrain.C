@@ -58,11 +58,7 @@ public:
     explicit finiteOperator(const fvMesh& mesh)
     :
         solidOperator(mesh),
-        rest_
-        {
-            vectorField(mesh.nCells(), Zero),
-            vectorField(mesh.nFaces(), Zero)
-        }
+        rest_(geometry())
     {}
 
     const hyperelastic& law() const
@@ -80,7 +76,7 @@ public:
         unifiedVector f(zero());
         flux().evaluateSolid(d, &rest_, f.U);
 
-        const vectorField& F = flux().sideForce(true);
+        const sideField<vector>& F = flux().sideForce(true);
         for (const label facei : geometry().cellsAndFaces(true).ownSides)
         {
             vector& cell = f.U[mesh.faceOwner()[facei]];

@@ -163,8 +163,8 @@ static void testLengths(const Time& runTime)
         const scalar hNei =
             mesh->cellCentres()[nei][d] - mesh->faceCentres()[facei][d];
 
-        error = max(error, mag(g.hOwn()[facei] - hOwn));
-        error = max(error, mag(g.hNei()[facei] - hNei));
+        error = max(error, mag(g.hOwn(facei) - hOwn));
+        error = max(error, mag(g.hNei(facei) - hNei));
         weightError = max
         (
             weightError,
@@ -265,8 +265,8 @@ static void testCyclic(const Time& runTime)
     {
         const label facei = start + i;
         n += (g.kind(facei) == fluxGeometry::INTERFACE);
-        error = max(error, mag(g.hOwn()[facei] - 0.5));
-        error = max(error, mag(g.hNei()[facei] - 0.5));
+        error = max(error, mag(g.hOwn(facei) - 0.5));
+        error = max(error, mag(g.hNei(facei) - 0.5));
         error = max
         (
             error,

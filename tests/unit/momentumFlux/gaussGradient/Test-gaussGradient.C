@@ -81,7 +81,7 @@ static void testLinear
     // Twice: nothing may be left over from a call before
     for (label pass = 0; pass < 2; ++pass)
     {
-        gradient.faceValues(u, uf);
+        gradient.faceValues(u, uf, G);
         gradient.cellGradients(uf, G);
     }
 

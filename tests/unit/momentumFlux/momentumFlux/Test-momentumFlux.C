@@ -77,11 +77,7 @@ struct evaluation
         p(pressure(mesh, patchesP)),
         flux(zones, U(), p()),
         z(mesh.nCells(), flux.geometry().unknownFaces().size()),
-        offset
-        {
-            vectorField(mesh.nCells(), Zero),
-            vectorField(mesh.nFaces(), Zero)
-        },
+        offset(flux.geometry()),
         cellForce(mesh.nCells(), Zero),
         faceForce(z.Uf.size(), Zero)
     {
@@ -107,7 +103,7 @@ struct evaluation
         fill(z.U);
         fill(z.Uf);
         fill(offset.cells);
-        fill(offset.faces);
+        fill(offset.faces.values());
         for (const label celli : geometry().cellsAndFaces(false).cells)
         {
             z.p[celli] = next();
@@ -311,7 +307,7 @@ static void testConservation
         const label facei = g.unknownFaces()[i];
         if (g.kind(facei) == fluxGeometry::SLIP)
         {
-            const vector& n = g.n()[facei];
+            const vector n(g.n(facei));
             e.z.Uf[i] -= (e.z.Uf[i] & n)*n;
         }
     }
@@ -324,7 +320,7 @@ static void testConservation
     forAll(mesh->faces(), facei)
     {
         const vector& F = e.flux.sideForce(true)[facei];
-        const vector normal((F & g.n()[facei])*g.n()[facei]);
+        const vector normal((F & g.n(facei))*g.n(facei));
         const scalar S = mag(mesh->faceAreas()[facei]);
         const label i = g.unknownIndex()[facei];
 
@@ -334,7 +330,7 @@ static void testConservation
         }
         else if (g.kind(facei) == fluxGeometry::TRACTION)
         {
-            const vector t(vector(1, 2, 3) - 0.5*g.n()[facei]);
+            const vector t(vector(1, 2, 3) - 0.5*g.n(facei));
             given += S*t;
             shareError = max(shareError, mag(e.faceForce[i] - F + S*t));
             ++n[0];
@@ -457,9 +453,12 @@ static void testSymmetryPlane
             e.offset.cells[celli] = smooth(x, 3);
             e.z.p[celli] = e.zones.solid(celli) ? 0 : even(x, 4);
         }
-        forAll(e.offset.faces, facei)
+        forAll(mesh->faces(), facei)
         {
-            e.offset.faces[facei] = smooth(mesh->faceCentres()[facei], 3);
+            if (e.geometry().kind(facei) != fluxGeometry::INSIDE)
+            {
+                e.offset.faces[facei] = smooth(mesh->faceCentres()[facei], 3);
+            }
         }
         forAll(e.z.Uf, i)
         {
@@ -719,7 +718,10 @@ static void weightedSums
     }
     forAll(Cf, facei)
     {
-        e.offset.faces[facei] = smoothVector(Cf[facei], 3);
+        if (g.kind(facei) != fluxGeometry::INSIDE)
+        {
+            e.offset.faces[facei] = smoothVector(Cf[facei], 3);
+        }
     }
     forAll(e.z.Uf, i)
     {
@@ -727,7 +729,7 @@ static void weightedSums
         e.z.Uf[i] = smoothVector(Cf[facei], 4);
         if (g.kind(facei) == fluxGeometry::SLIP)
         {
-            const vector& n = g.n()[facei];
+            const vector n(g.n(facei));
             e.z.Uf[i] -= (e.z.Uf[i] & n)*n;
             e.offset.faces[facei] -= (e.offset.faces[facei] & n)*n;
         }

@@ -112,7 +112,7 @@ static void setSides
 
     const auto side = [&](const label facei, const bool owner)
     {
-        const vector& n = geometry.n()[facei];
+        const vector n(geometry.n(facei));
 
         vector a(vector::one*stress.sideDiffusion(facei, owner));
         a += stress.sideExtraNormal(facei, owner)*cmptMultiply(n, n);

@@ -46,14 +46,14 @@ Foam::cellStiffness::velocity Foam::cellStiffness::beyond
     const label i = geometry.unknownIndex()[facei];
 
     const vector S((owner ? 1 : -1)*geometry.S(true)[facei]);
-    const vector& dx =
-        owner ? geometry.dOwn()[facei] : geometry.dNei()[facei];
-    const vector& dxOther =
-        owner ? geometry.dNei()[facei] : geometry.dOwn()[facei];
+    const vector dx =
+        owner ? geometry.dOwn(facei) : geometry.dNei(facei);
+    const vector dxOther =
+        owner ? geometry.dNei(facei) : geometry.dOwn(facei);
 
     velocity v{-1, -1, tensor::I, dx, S/geometry.V()[celli]};
 
-    const tensor along(tensor::I - tensor(sqr(geometry.n(true)[facei])));
+    const tensor along(tensor::I - tensor(sqr(geometry.n(true, facei))));
 
     switch (geometry.kind(facei))
     {
@@ -278,7 +278,7 @@ void Foam::cellStiffness::softenVolume(const label celli)
         {
             skewness +=
                 mag(geometry.S(true)[facei])
-               *mag(geometry.skew()[facei])/V_;
+               *mag(geometry.skew(facei))/V_;
         }
     }
 

@@ -132,7 +132,7 @@ bool Foam::rigidBodyModes::takeShape()
                 (shape.cells[nei] - shape_.cells[nei])
               - (shape.cells[own] - shape_.cells[own])
             );
-            const vector d(geometry.dOwn()[facei] - geometry.dNei()[facei]);
+            const vector d(geometry.dOwn(facei) - geometry.dNei(facei));
 
             turned = max(turned, magSqr(change)/magSqr(d));
         }

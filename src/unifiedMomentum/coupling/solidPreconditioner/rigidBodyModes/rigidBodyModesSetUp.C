@@ -231,10 +231,10 @@ Foam::labelList Foam::rigidBodyModes::aggregates(const label nPasses) const
                 nodes_.ofCell(own),
                 nodes_.ofCell(nei),
                 mag(geometry.S(true)[facei]),
-                (geometry.hOwn()[facei] + geometry.hNei()[facei])
+                (geometry.hOwn(facei) + geometry.hNei(facei))
                /(
-                    geometry.hOwn()[facei]/materials[own].shear()
-                  + geometry.hNei()[facei]/materials[nei].shear()
+                    geometry.hOwn(facei)/materials[own].shear()
+                  + geometry.hNei(facei)/materials[nei].shear()
                 )
             });
         }
@@ -313,22 +313,18 @@ void Foam::rigidBodyModes::setUp()
     smoother_.clear();
     stiffness_.clear();
 
-    {
-        // Not that of the operator: the same at any time step, to the last
-        // digit, so that a restart goes on bitwise
-        const stressFlux stress(op_.geometry(), true, false);
-
-        stiffness_.reset
+    // Without the factor beta dt: the same at any time step, to the last
+    // digit, so that a restart goes on bitwise
+    stiffness_.reset
+    (
+        new solidStiffness
         (
-            new solidStiffness
-            (
-                nodes_,
-                stress,
-                factorise,
-                shape_.cells.size() ? &shape_ : nullptr
-            )
-        );
-    }
+            nodes_,
+            op_.flux().stress(true),
+            factorise,
+            shape_.cells.size() ? &shape_ : nullptr
+        )
+    );
     smoother_.reset(new operatorSmoother(op_, faces_, stiffness_()));
 
     // Without inertia and fluid

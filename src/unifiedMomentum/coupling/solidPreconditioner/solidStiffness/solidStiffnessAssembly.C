@@ -131,7 +131,7 @@ void Foam::solidStiffness::setSlipNodes()
                 size += matrix_.block(place)[(d + 1)*k];
             }
 
-            reduce(tensor(size*sqr(geometry.n(true)[facei])), K);
+            reduce(tensor(size*sqr(geometry.n(true, facei))), K);
             add(place, K);
             slipNodes_.append(i);
         }
