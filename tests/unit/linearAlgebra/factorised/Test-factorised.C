@@ -264,35 +264,6 @@ static void testKept(const string& name, const std::vector<label>& kept)
 }
 
 
-//- Columns that many kept ones are tied to are eliminated late
-static void testOrder()
-{
-    const label n = 60;
-    const sparseMatrix A(membrane(n, 1).sparse());
-
-    std::vector<label> side;
-    for (label i = 0; i < n; ++i)
-    {
-        side.push_back(n*i + n - 1);
-    }
-
-    const eliminationTree tree(A.transpose(), 1, side);
-    scalar size = 0;
-    for (label i = 0; i < tree.nEliminated(); ++i)
-    {
-        size += tree.size(i);
-    }
-    const eliminationTree all(A.transpose());
-    scalar sizeOfAll = 0;
-    for (label i = 0; i < n*n; ++i)
-    {
-        sizeOfAll += all.size(i);
-    }
-    Info<< "kept columns: " << size/sizeOfAll << " times the entries" << endl;
-    check(size < 1.2*sizeOfAll, "order with kept columns");
-}
-
-
 // * * * * * * * * * * * * * * * *  Main program * * * * * * * * * * * * * * //
 
 int main()
@@ -365,7 +336,6 @@ int main()
         testKept("one row kept", {20});
         testKept("all rows kept", all);
     }
-    testOrder();
 
     factorised none;
     none.set(blockMatrix());
