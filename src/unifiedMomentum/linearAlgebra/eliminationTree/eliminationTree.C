@@ -41,8 +41,8 @@ void Foam::eliminationTree::setOrder
         return;
     }
 
-    // Blocks, and ties of nodes kept: they are dense among themselves, so that
-    // columns that have some of them are dear
+    // One column for each node. Those kept take part: what they are tied to
+    // is dear
     const label n = A.cols()/d;
     std::vector<Eigen::Triplet<double>> entries;
     for (label j = 0; j < n; ++j)
@@ -52,16 +52,6 @@ void Foam::eliminationTree::setOrder
             if (e.row() % d == 0)
             {
                 entries.push_back({int(e.row()/d), int(j), 1.0});
-            }
-        }
-    }
-    for (const label i : kept)
-    {
-        for (const label j : kept)
-        {
-            if (i > j)
-            {
-                entries.push_back({int(i), int(j), 1.0});
             }
         }
     }

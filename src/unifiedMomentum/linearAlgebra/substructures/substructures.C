@@ -22,23 +22,16 @@ License
 
 
 #include "substructures.H"
-#include "ListOps.H"
+#include "labelField.H"
 #include "Pstream.H"
-#include "PstreamCombineReduceOps.H"
+#include "PstreamReduceOps.H"
 #include "repeatableNumbers.H"
-#include "scalarList.H"
+#include "scalarField.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace Foam
 {
-    //- Sum over the processes, in the same order on all
-    static void sumOver(scalarList& values)
-    {
-        Pstream::listCombineGather(values, plusEqOp<scalar>());
-        Pstream::listCombineScatter(values);
-    }
-
     static scalar dot(const Eigen::VectorXd& a, const Eigen::VectorXd& b)
     {
         return returnReduce(scalar(a.dot(b)), sumOp<scalar>());
@@ -84,36 +77,34 @@ void Foam::substructures::setNodes()
 
 void Foam::substructures::setPattern()
 {
-    List<labelList> numbers(Pstream::nProcs());
-    labelList& own = numbers[Pstream::myProcNo()];
-    own.setSize(nodes_.size());
-    forAll(own, i)
+    const globalIndex parts(nodes_.size());
+    labelField numbers(parts.size(), 0);
+    for (std::size_t i = 0; i < nodes_.size(); ++i)
     {
-        own[i] = exchange_.number(nodes_[i]);
+        numbers[parts.toGlobal(i)] = exchange_.number(nodes_[i]);
     }
-    Pstream::gatherList(numbers);
-    Pstream::scatterList(numbers);
+    reduce(numbers, sumOp<labelField>());
 
-    std::vector<label> all;
-    for (const labelList& ofProcess : numbers)
-    {
-        all.insert(all.end(), ofProcess.begin(), ofProcess.end());
-    }
+    std::vector<label> all(numbers.begin(), numbers.end());
     std::sort(all.begin(), all.end());
     all.erase(std::unique(all.begin(), all.end()), all.end());
 
-    // Processes that have each node; from numbers to places
+    // Those of each process, and the processes that have each
+    std::vector<std::vector<label>> places(Pstream::nProcs());
     std::vector<std::vector<label>> processes(all.size());
-    forAll(numbers, proci)
+    for (label proci = 0; proci < Pstream::nProcs(); ++proci)
     {
-        for (label& number : numbers[proci])
+        for (label i = 0; i < parts.localSize(proci); ++i)
         {
-            number =
+            const label number = numbers[parts.toGlobal(proci, i)];
+            const label place =
                 std::lower_bound(all.begin(), all.end(), number) - all.begin();
-            processes[number].push_back(proci);
+
+            places[proci].push_back(place);
+            processes[place].push_back(proci);
         }
     }
-    places_.assign(own.begin(), own.end());
+    places_ = places[Pstream::myProcNo()];
 
     // Each process ties all of its nodes to each other
     std::vector<label> start(1, 0);
@@ -122,12 +113,16 @@ void Foam::substructures::setPattern()
     {
         for (const label proci : processes[i])
         {
-            const labelList& places = numbers[proci];
             columns.insert
             (
                 columns.end(),
-                std::lower_bound(places.begin(), places.end(), i),
-                places.end()
+                std::lower_bound
+                (
+                    places[proci].begin(),
+                    places[proci].end(),
+                    i
+                ),
+                places[proci].end()
             );
         }
 
@@ -144,7 +139,7 @@ void Foam::substructures::setPattern()
 
 void Foam::substructures::sumUp(const Eigen::MatrixXd& left)
 {
-    scalarList sum(label(S_.nEntries()), Zero);
+    scalarField sum(label(S_.nEntries()), Zero);
 
     for (std::size_t i = 0; i < nodes_.size(); ++i)
     {
@@ -163,7 +158,7 @@ void Foam::substructures::sumUp(const Eigen::MatrixXd& left)
         }
     }
 
-    sumOver(sum);
+    reduce(sum, sumOp<scalarField>());
     S_.setZero();
     std::copy(sum.begin(), sum.end(), S_.block(0));
 }
@@ -264,14 +259,14 @@ Eigen::VectorXd Foam::substructures::solve(const Eigen::VectorXd& b) const
     x.head(b.size()) = b;
     inside_.forward(x);
 
-    scalarList sum(S_.rows(), Zero);
+    scalarField sum(S_.rows(), Zero);
     const label first = x.size() - d_*nodes_.size();
     for (std::size_t i = 0; i < nodes_.size(); ++i)
     {
         const double* part = x.data() + first + d_*i;
         std::copy(part, part + d_, sum.data() + d_*places_[i]);
     }
-    sumOver(sum);
+    reduce(sum, sumOp<scalarField>());
 
     const Eigen::VectorXd xk
     (

@@ -198,6 +198,72 @@ static void testFronts()
 }
 
 
+//- Rows that are kept: what is left of them, and solutions with it
+static void testKept(const string& name, const std::vector<label>& kept)
+{
+    const label d = 2;
+    const blockMatrix blocks(membrane(12, 1).sparse(), d);
+    const Eigen::MatrixXd upper(blocks.sparse());
+    const Eigen::MatrixXd A(upper.selfadjointView<Eigen::Upper>());
+    const label n = A.rows();
+    const label nKept = d*kept.size();
+
+    // Those kept last
+    Eigen::PermutationMatrix<Eigen::Dynamic> order(n);
+    order.indices().setConstant(-1);
+    for (label i = 0; i < nKept; ++i)
+    {
+        order.indices()[d*kept[i/d] + i % d] = n - nKept + i;
+    }
+    label nPlaced = 0;
+    for (label i = 0; i < n; ++i)
+    {
+        if (order.indices()[i] < 0)
+        {
+            order.indices()[i] = nPlaced++;
+        }
+    }
+    const Eigen::MatrixXd sorted(order*A*order.transpose());
+    const label ne = n - nKept;
+    Eigen::MatrixXd S(sorted.bottomRightCorner(nKept, nKept));
+    if (ne)
+    {
+        const Eigen::MatrixXd Aee(sorted.topLeftCorner(ne, ne));
+        const Eigen::MatrixXd Aek(sorted.topRightCorner(ne, nKept));
+        const Eigen::MatrixXd solved(Aee.llt().solve(Aek));
+        S -= Aek.transpose()*solved;
+    }
+
+    factorised f;
+    const Eigen::MatrixXd left(f.condense(blocks, kept, false));
+    const Eigen::MatrixXd difference
+    (
+        Eigen::MatrixXd(left.selfadjointView<Eigen::Lower>()) - S
+    );
+    checkSmall(difference.norm()/S.norm(), 1e-12, name + ": what is left");
+
+    testing::random next(3);
+    Eigen::VectorXd x(n);
+    for (label i = 0; i < n; ++i)
+    {
+        x[i] = 1e-12*next();
+    }
+    const Eigen::VectorXd xk((order*x).tail(nKept));
+
+    Eigen::VectorXd y(A*x);
+    f.forward(y);
+    checkSmall
+    (
+        (y.tail(nKept) - S*xk).norm()/(S*xk).norm(),
+        1e-10,
+        name + ": right-hand side that is left"
+    );
+    y.tail(nKept) = xk;
+    f.backward(y);
+    checkSmall((y - x).norm()/x.norm(), 1e-10, name + ": solution");
+}
+
+
 // * * * * * * * * * * * * * * * *  Main program * * * * * * * * * * * * * * //
 
 int main()
@@ -258,6 +324,18 @@ int main()
 
     testTree();
     testFronts();
+
+    factorised::minShort = 500000;
+    {
+        std::vector<label> all(72);
+        for (label i = 0; i < 72; ++i)
+        {
+            all[i] = (5*i) % 72;
+        }
+        testKept("some rows kept", {7, 60, 3, 8, 9, 41});
+        testKept("one row kept", {20});
+        testKept("all rows kept", all);
+    }
 
     factorised none;
     none.set(blockMatrix());

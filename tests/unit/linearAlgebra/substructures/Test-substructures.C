@@ -235,7 +235,7 @@ public:
         return
             x.segment
             (
-                d_*exchange.numbers().offset(Pstream::myProcNo()),
+                d_*exchange.numbers().toGlobal(0),
                 d_*exchange.nOwn()
             );
     }
@@ -455,7 +455,7 @@ static void testFree(const bool singles)
     (
         own.data(),
         own.data() + own.size(),
-        all.data() + d*part.exchange.numbers().offset(Pstream::myProcNo())
+        all.data() + d*part.exchange.numbers().toGlobal(0)
     );
     reduce(all, sumOp<scalarField>());
     const Eigen::VectorXd result

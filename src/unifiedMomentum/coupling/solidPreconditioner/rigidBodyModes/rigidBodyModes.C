@@ -34,7 +34,7 @@ Foam::label Foam::rigidBodyModes::maxWhole2D = 10000;
 
 Foam::label Foam::rigidBodyModes::maxWhole3D = 3000;
 
-Foam::label Foam::rigidBodyModes::maxInterface2D = 800;
+Foam::label Foam::rigidBodyModes::maxInterface2D = 400;
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
