@@ -67,7 +67,8 @@ Foam::derivedFields::derivedFields
 )
 :
     fields_(fields),
-    flux_(flux)
+    flux_(flux),
+    divergence_(fields.mesh().nCells(), 0)
 {}
 
 
@@ -77,10 +78,9 @@ void Foam::derivedFields::setFlux(const unifiedVector& z)
 {
     const fvMesh& mesh = fields_.mesh();
     const fluxGeometry& geometry = flux_.geometry();
-    scalarField div(mesh.nCells());
     scalarField phi(mesh.nFaces(), 0);
 
-    flux_.divergence(z, false, div, false, &phi);
+    flux_.divergence(z, false, divergence_, false, &phi);
 
     // A process with only the solid's side of a face takes the other's flux
     const scalarField beyond(geometry.neighbourSides(phi));
@@ -157,20 +157,16 @@ void Foam::derivedFields::setDisplacement
 
 void Foam::derivedFields::setContinuityError
 (
-    const unifiedVector& z,
     const scalarField& star
 )
 {
     const fluxGeometry& geometry = flux_.geometry();
     const scalar betaDt = flux_.betaDt();
 
-    scalarField div(fields_.mesh().nCells(), 0);
-    flux_.divergence(z, false, div, false);
-
     for (const label celli : geometry.cellsAndFaces(false).cells)
     {
         fields_.continuityError()[celli] =
-            (star[celli] + betaDt*div[celli])/geometry.V()[celli];
+            (star[celli] + betaDt*divergence_[celli])/geometry.V()[celli];
     }
 }
 

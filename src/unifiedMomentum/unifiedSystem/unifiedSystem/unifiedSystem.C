@@ -376,7 +376,7 @@ void Foam::unifiedSystem::updateDisplacement()
 
     takeUnknowns();
     derived_.setDisplacement(z, known.D);
-    derived_.setContinuityError(z, known.volumeError);
+    derived_.setContinuityError(known.volumeError);
     derived_.setStress(z, known.D);
     if (motion_)
     {
