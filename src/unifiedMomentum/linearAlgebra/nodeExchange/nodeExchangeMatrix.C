@@ -21,22 +21,9 @@ License
 
 
 #include "nodeExchange.H"
-#include "labelPair.H"
+#include "labelField.H"
+#include "PstreamReduceOps.H"
 #include "scalarField.H"
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace Foam
-{
-    //- What each process has put at its own place, for all processes
-    template<class ListType>
-    static void gatherAll(List<ListType>& lists)
-    {
-        Pstream::gatherList(lists);
-        Pstream::scatterList(lists);
-    }
-}
-
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
@@ -75,52 +62,46 @@ Foam::blockMatrix Foam::nodeExchange::gather(const blockMatrix& A) const
 {
     const label d = A.blockRows();
 
-    List<List<labelPair>> pairs(Pstream::nProcs());
-    List<scalarField> values(Pstream::nProcs());
-    DynamicList<labelPair> own(A.nBlocks());
+    // Blocks of each process at their own place, zeros of the others
+    const globalIndex places(A.nBlocks());
+    labelField rows(places.size(), 0);
+    labelField columns(places.size(), 0);
+    scalarField values(d*d*places.size(), 0);
 
     for (label i = 0; i < A.nRows(); ++i)
     {
-        for (label place = A.start(i); place < A.start(i + 1); ++place)
+        for (label b = A.start(i); b < A.start(i + 1); ++b)
         {
-            own.append(labelPair(number(i), number(A.column(place))));
+            const label place = places.toGlobal(b);
+            const double* block = A.block(b);
+
+            rows[place] = number(i);
+            columns[place] = number(A.column(b));
+            std::copy(block, block + d*d, values.begin() + d*d*place);
         }
     }
-    pairs[Pstream::myProcNo()] = own;
-    values[Pstream::myProcNo()].setSize(A.nEntries());
-    std::copy
-    (
-        A.block(0),
-        A.block(0) + A.nEntries(),
-        values[Pstream::myProcNo()].begin()
-    );
 
-    gatherAll(pairs);
-    gatherAll(values);
+    reduce(rows, sumOp<labelField>());
+    reduce(columns, sumOp<labelField>());
+    reduce(values, sumOp<scalarField>());
 
     std::vector<Eigen::Triplet<double>> entries;
-    forAll(pairs, proci)
+    forAll(rows, place)
     {
-        const scalar* value = values[proci].cdata();
+        // Only the upper half will be looked at
+        const bool upper = rows[place] <= columns[place];
 
-        for (const labelPair& pair : pairs[proci])
+        for (label k = 0; k < d*d; ++k)
         {
-            for (label k = 0; k < d; ++k)
-            {
-                for (label l = 0; l < d; ++l)
-                {
-                    const int row = d*pair.first() + k;
-                    const int column = d*pair.second() + l;
+            const int row = d*rows[place] + k/d;
+            const int column = d*columns[place] + k % d;
 
-                    // Only the upper half will be looked at
-                    entries.push_back
-                    ({
-                        pair.first() <= pair.second() ? row : column,
-                        pair.first() <= pair.second() ? column : row,
-                        *value++
-                    });
-                }
-            }
+            entries.push_back
+            ({
+                upper ? row : column,
+                upper ? column : row,
+                values[d*d*place + k]
+            });
         }
     }
 
