@@ -457,6 +457,8 @@ Foam::fluxGeometry::fluxGeometry
 :
     mesh_(U.mesh()),
     materials_(materials),
+    own_(mesh_.faceOwner()),
+    nei_(mesh_.faceNeighbour()),
     kind_(mesh_.nFaces(), IGNORED),
     nFaces_(0),
     anyCoupled_(false),
