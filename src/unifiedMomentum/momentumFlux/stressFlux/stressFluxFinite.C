@@ -153,18 +153,19 @@ Foam::scalar Foam::stressFlux::twiceFiniteEnergy() const
 Foam::scalar Foam::stressFlux::twiceTwistEnergy() const
 {
     const labelUList& own = geometry_.mesh().faceOwner();
+    const scalarField& rotation = gradient_.rotation();
     scalar twice = 0;
 
     if (links_.twists())
     {
         for (const label facei : zone_.internal)
         {
-            twice += twistMoment(facei, own[facei])*gradient_.rotation()[facei];
+            twice += twistMoment(facei, own[facei])*rotation[facei];
         }
         for (const label facei : zone_.coupled)
         {
             // The other half belongs to the other side
-            twice += 0.5*twistMoment(facei, own[facei])*gradient_.rotation()[facei];
+            twice += 0.5*twistMoment(facei, own[facei])*rotation[facei];
         }
     }
 
