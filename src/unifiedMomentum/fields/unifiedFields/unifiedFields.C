@@ -71,6 +71,26 @@ namespace Foam
     }
 
 
+    //- Let the old level of a field be written, as OpenFOAM does where there
+    //  is one before it
+    static void writeOldLevel(surfaceVectorField& field)
+    {
+        surfaceVectorField& old = field.oldTime();
+
+        old.regIOobject::operator=
+        (
+            IOobject
+            (
+                old.name(),
+                old.instance(),
+                old.db(),
+                IOobject::NO_READ,
+                IOobject::AUTO_WRITE
+            )
+        );
+    }
+
+
     //- A field at the new time, 0, or at a level before
     template<class FieldType>
     static const FieldType& levelOf(const FieldType& field, const label level)
@@ -214,8 +234,8 @@ void Foam::unifiedFields::keepLevels(const fluxGeometry& geometry)
     continuityError_.oldTime().oldTime();
 
     // The other level of faces would be another two fields of all faces
-    Uf_.oldTime().writeOpt() = IOobject::AUTO_WRITE;
-    Df_.oldTime().writeOpt() = IOobject::AUTO_WRITE;
+    writeOldLevel(Uf_);
+    writeOldLevel(Df_);
     UfOldOld_.reset(new sideField<vector>(geometry));
     DfOldOld_.reset(new sideField<vector>(geometry));
     endStep(geometry);

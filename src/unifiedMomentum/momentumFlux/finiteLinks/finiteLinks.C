@@ -55,16 +55,17 @@ Foam::vector Foam::finiteLinks::curvedValue
         dG_[facei] = dG;
     }
 
+    const vector d(links_.d(facei));
     const tensor& FT = FT_[facei];
     const tensor F(FT.T());
     const tensor M(dG_[facei] & F);
-    const vector link(links_.value(facei, M));
+    const vector link(links_.value(facei, d, M));
 
     if (!strain_.tangent())
     {
         if (rotation)
         {
-            *rotation = links_.rotation(facei, M);
+            *rotation = faceLinks::rotation(d, M);
         }
 
         return link & FT;
@@ -78,10 +79,10 @@ Foam::vector Foam::finiteLinks::curvedValue
 
     if (rotation)
     {
-        *rotation = links_.rotation(facei, dM);
+        *rotation = faceLinks::rotation(d, dM);
     }
 
-    return (links_.value(facei, dM) & FT) + (link & scaled);
+    return (links_.value(facei, d, dM) & FT) + (link & scaled);
 }
 
 
@@ -100,15 +101,16 @@ void Foam::finiteLinks::curvedAdjoint
         moment_[facei] = moment;
     }
 
+    const vector d(links_.d(facei));
     const tensor& FT = FT_[facei];
     const tensor F(FT.T());
     const tensor& dG = dG_[facei];
     const tensor M(dG & F);
-    const vector link(links_.value(facei, M));
+    const vector link(links_.value(facei, d, M));
     const vector& f = force_[facei];
 
     // By M; the rest follows from M = dG . F and link . F^T
-    const tensor W(links_.adjoint(facei, FT & f, moment_[facei]));
+    const tensor W(links_.adjoint(facei, d, FT & f, moment_[facei]));
     const tensor WT(W.T());
 
     if (!strain_.tangent())
@@ -123,9 +125,9 @@ void Foam::finiteLinks::curvedAdjoint
     const tensor& ddG = ddG_[facei];
     const tensor dF(dFT.T());
     const tensor dM((ddG & F) + (dG & dF));
-    const vector dLink(links_.value(facei, dM));
+    const vector dLink(links_.value(facei, d, dM));
     const vector back((FT & force) + (dFT & f));
-    const tensor dW(links_.adjoint(facei, back, moment));
+    const tensor dW(links_.adjoint(facei, d, back, moment));
     const tensor dWT(dW.T());
 
     ofChange = (dW & FT) + (W & dFT);

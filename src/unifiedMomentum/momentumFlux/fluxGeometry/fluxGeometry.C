@@ -282,6 +282,21 @@ void Foam::fluxGeometry::setWarp()
 }
 
 
+Foam::vector Foam::fluxGeometry::faceSkew(const label facei) const
+{
+    if (kind_[facei] == INSIDE)
+    {
+        return w_[facei]*dOwn(facei) + (1 - w_[facei])*dNei(facei);
+    }
+    else if (kind_[facei] == SYMMETRY)
+    {
+        return tangential(facei, dOwn(facei));
+    }
+
+    return Zero;
+}
+
+
 void Foam::fluxGeometry::setSkewness()
 {
     const vectorField& Sf = mesh_.faceAreas();
@@ -309,7 +324,7 @@ void Foam::fluxGeometry::setSkewness()
 
         const vector dOwn(this->dOwn(facei));
         const vector dNei(this->dNei(facei));
-        const vector s(skew(facei));
+        const vector s(faceSkew(facei));
 
         if (kind_[facei] == INSIDE)
         {
@@ -339,6 +354,15 @@ void Foam::fluxGeometry::setSkewness()
     if (!skewed())
     {
         return;
+    }
+
+    skew_.setSize(nFaces_, Zero);
+    forAll(skew_, facei)
+    {
+        if (moved(facei))
+        {
+            skew_[facei] = faceSkew(facei);
+        }
     }
 
     invB_.setSize(mesh_.nCells());
@@ -457,6 +481,8 @@ Foam::fluxGeometry::fluxGeometry
 :
     mesh_(U.mesh()),
     materials_(materials),
+    own_(mesh_.faceOwner()),
+    nei_(mesh_.faceNeighbour()),
     kind_(mesh_.nFaces(), IGNORED),
     nFaces_(0),
     anyCoupled_(false),
@@ -466,6 +492,7 @@ Foam::fluxGeometry::fluxGeometry
     warped_{false, false},
     w_(),
     dn_(),
+    skew_(),
     warp_(),
     dBeyond_(),
     V_(mesh_.cellVolumes()),
@@ -520,21 +547,6 @@ bool Foam::fluxGeometry::coupled(const label facei) const
         [
             mesh_.boundaryMesh().whichPatch(facei)
         ].coupled();
-}
-
-
-Foam::vector Foam::fluxGeometry::skew(const label facei) const
-{
-    if (kind_[facei] == INSIDE)
-    {
-        return w_[facei]*dOwn(facei) + (1 - w_[facei])*dNei(facei);
-    }
-    else if (kind_[facei] == SYMMETRY)
-    {
-        return tangential(facei, dOwn(facei));
-    }
-
-    return Zero;
 }
 
 

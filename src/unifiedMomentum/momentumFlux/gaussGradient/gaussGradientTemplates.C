@@ -95,7 +95,7 @@ void Foam::gaussGradient<Type>::link
 template<class Type>
 void Foam::gaussGradient<Type>::correct
 (
-    const fluxGeometry::inside& inside,
+    const insideFaces& inside,
     const label facei,
     const GradType& GP,
     const GradType& GN,
@@ -107,7 +107,7 @@ void Foam::gaussGradient<Type>::correct
         const scalar w = geometry_.w()[facei];
         const GradType Gf(w*GP + (1 - w)*GN);
 
-        uf += inside.skew(facei) & Gf;
+        uf += geometry_.skew()[facei] & Gf;
 
         if (geometry_.warped(solid_))
         {
@@ -133,7 +133,7 @@ void Foam::gaussGradient<Type>::correctFaceValues
     const labelUList& own = mesh.faceOwner();
     const labelUList& nei = mesh.faceNeighbour();
 
-    const fluxGeometry::inside inside(geometry_, solid_);
+    const insideFaces inside(geometry_, solid_);
 
     sumFaces(uf, G);
 
@@ -170,7 +170,7 @@ void Foam::gaussGradient<Type>::correctFaceValues
 
         if (geometry_.skewed(solid_))
         {
-            uf[facei] += mirrored(facei, geometry_.skew(facei) & GP);
+            uf[facei] += mirrored(facei, geometry_.skew()[facei] & GP);
         }
         if (links_)
         {

@@ -29,7 +29,11 @@ void Foam::stressFlux::finiteJumpForces
     const vectorField& uf
 )
 {
-    const fvMesh& mesh = geometry_.mesh();
+    const labelUList& own = geometry_.mesh().faceOwner();
+    const labelUList& nei = geometry_.mesh().faceNeighbour();
+    const vectorField& C = geometry_.cellCentres(solid_);
+    const vectorField& Cf = geometry_.faceCentres(solid_);
+    const vectorField& S = geometry_.S(solid_);
     const scalarField& V = geometry_.V();
 
     finite_.setGradients(grad_);
@@ -42,17 +46,15 @@ void Foam::stressFlux::finiteJumpForces
     // stress_ collects V T first
     const auto side = [&](const label facei, const bool owner)
     {
-        const label c =
-            owner ? mesh.faceOwner()[facei] : mesh.faceNeighbour()[facei];
-        const vector dx =
-            owner ? geometry_.dOwn(facei) : geometry_.dNei(facei);
+        const label c = owner ? own[facei] : nei[facei];
+        const vector dx(Cf[facei] - C[c]);
         const vector r(uf[facei] - u[c] - (dx & grad_[c]));
 
         const finiteStrain::sideStiffness A
         {
             factor_*stiffness_.across(facei, owner),
             factor_*stiffness_.along(facei, owner),
-            stiffness_.axis(facei, owner)
+            stiffness_.axis(c, dx, S[facei])
         };
 
         (owner ? ownForce_ : neiForce_)[facei] =
@@ -151,18 +153,19 @@ Foam::scalar Foam::stressFlux::twiceFiniteEnergy() const
 Foam::scalar Foam::stressFlux::twiceTwistEnergy() const
 {
     const labelUList& own = geometry_.mesh().faceOwner();
+    const scalarField& rotation = gradient_.rotation();
     scalar twice = 0;
 
     if (links_.twists())
     {
         for (const label facei : zone_.internal)
         {
-            twice += twistMoment(facei, own[facei])*gradient_.rotation()[facei];
+            twice += twistMoment(facei, own[facei])*rotation[facei];
         }
         for (const label facei : zone_.coupled)
         {
             // The other half belongs to the other side
-            twice += 0.5*twistMoment(facei, own[facei])*gradient_.rotation()[facei];
+            twice += 0.5*twistMoment(facei, own[facei])*rotation[facei];
         }
     }
 

@@ -25,14 +25,13 @@ License
 
 Foam::tensor Foam::stressFlux::skewAdjoint
 (
-    const fluxGeometry::inside& inside,
     const label facei,
     const vector& R,
     const tensor& ownStress,
     const tensor& neiStress
 ) const
 {
-    tensor q(inside.skew(facei)*R);
+    tensor q(geometry_.skew()[facei]*R);
 
     if (geometry_.warped(solid_))
     {
@@ -47,7 +46,7 @@ Foam::tensor Foam::stressFlux::skewAdjoint
 
 void Foam::stressFlux::addLinkAdjoint
 (
-    const fluxGeometry::inside& inside,
+    const insideFaces& inside,
     const label facei,
     const label celli,
     const vector& R,
@@ -91,7 +90,7 @@ void Foam::stressFlux::addAdjoint()
     const scalarField& w = geometry_.w();
     const bool skewed = geometry_.skewed(solid_);
     const bool linked = links_.active();
-    const fluxGeometry::inside inside(geometry_, solid_);
+    const insideFaces inside(geometry_, solid_);
 
     tensorField& Q = adjoint_;
 
@@ -109,10 +108,7 @@ void Foam::stressFlux::addAdjoint()
 
         if (skewed)
         {
-            const tensor q
-            (
-                skewAdjoint(inside, facei, R, stress_[P], stress_[N])
-            );
+            const tensor q(skewAdjoint(facei, R, stress_[P], stress_[N]));
             Q[P] += w[facei]*q;
             Q[N] += (1 - w[facei])*q;
         }
@@ -143,7 +139,6 @@ void Foam::stressFlux::addAdjoint()
                     w[facei]
                    *skewAdjoint
                     (
-                        inside,
                         facei,
                         R,
                         stress_[P],
@@ -163,7 +158,7 @@ void Foam::stressFlux::addAdjoint()
 
         if (skewed)
         {
-            Q[own[facei]] += geometry_.skew(facei)*R;
+            Q[own[facei]] += geometry_.skew()[facei]*R;
         }
         if (linked)
         {

@@ -117,6 +117,15 @@ struct evaluation
 };
 
 
+//- Has a face a value of its own?
+static bool hasSide(const fluxGeometry& geometry, const label facei)
+{
+    return
+        geometry.kind(facei) != fluxGeometry::INSIDE
+     && geometry.kind(facei) != fluxGeometry::IGNORED;
+}
+
+
 static const string fixedU
 (
     "\".*\" { type fixedValue; value uniform (0 0 0); }"
@@ -455,7 +464,7 @@ static void testSymmetryPlane
         }
         forAll(mesh->faces(), facei)
         {
-            if (e.geometry().kind(facei) != fluxGeometry::INSIDE)
+            if (hasSide(e.geometry(), facei))
             {
                 e.offset.faces[facei] = smooth(mesh->faceCentres()[facei], 3);
             }
@@ -718,7 +727,7 @@ static void weightedSums
     }
     forAll(Cf, facei)
     {
-        if (g.kind(facei) != fluxGeometry::INSIDE)
+        if (hasSide(g, facei))
         {
             e.offset.faces[facei] = smoothVector(Cf[facei], 3);
         }

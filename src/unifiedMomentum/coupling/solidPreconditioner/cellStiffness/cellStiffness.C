@@ -278,7 +278,7 @@ void Foam::cellStiffness::softenVolume(const label celli)
         {
             skewness +=
                 mag(geometry.S(true)[facei])
-               *mag(geometry.skew(facei))/V_;
+               *mag(geometry.skew()[facei])/V_;
         }
     }
 
