@@ -617,7 +617,7 @@ static void testIterations
     }
 
     rigidBodyModes::maxDirect2D = 30000;
-    rigidBodyModes::maxDirect3D = 3000;
+    rigidBodyModes::maxDirect3D = 1000;
 }
 
 

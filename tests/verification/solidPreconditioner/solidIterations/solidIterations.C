@@ -256,6 +256,8 @@ int main(int argc, char *argv[])
     };
 
     {
+        rigidBodyModes::maxDirect3D = rigidBodyModes::maxDirect2D;
+        rigidBodyModes::maxWhole3D = rigidBodyModes::maxWhole2D;
         solidSolver solver(op, block, ownSide, neiSide);
         solver.update();
         solve(solver, mesh, "rigidBodyModes", 1e-9, r, exact);

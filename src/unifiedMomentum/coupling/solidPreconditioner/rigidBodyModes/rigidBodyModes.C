@@ -28,11 +28,11 @@ License
 
 Foam::label Foam::rigidBodyModes::maxDirect2D = 30000;
 
-Foam::label Foam::rigidBodyModes::maxDirect3D = 3000;
+Foam::label Foam::rigidBodyModes::maxDirect3D = 1000;
 
 Foam::label Foam::rigidBodyModes::maxWhole2D = 10000;
 
-Foam::label Foam::rigidBodyModes::maxWhole3D = 3000;
+Foam::label Foam::rigidBodyModes::maxWhole3D = 1000;
 
 Foam::label Foam::rigidBodyModes::maxInterface2D = 400;
 
