@@ -228,11 +228,15 @@ void Foam::picardControls::read()
 }
 
 
-bool Foam::picardControls::passes(const scalarList& relative) const
+bool Foam::picardControls::passes
+(
+    const scalarList& relative,
+    const scalar factor
+) const
 {
     forAll(relative, i)
     {
-        if (!(relative[i] <= tolerance_[i]))
+        if (!(relative[i] <= factor*tolerance_[i]))
         {
             return false;
         }

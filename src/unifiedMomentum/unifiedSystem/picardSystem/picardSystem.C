@@ -49,6 +49,7 @@ Foam::picardSystem::picardSystem
     newton_(flux),
     failure_(flux.geometry(), sweep_, controls, residuals_),
     nSweeps_(0),
+    nPassed_(0),
     progress_()
 {}
 
@@ -68,6 +69,7 @@ void Foam::picardSystem::start(const unifiedFields& fields)
     fields.toUnknowns(op_.geometry(), 1, zOld_);
     z_ = zOld_;
     nSweeps_ = 0;
+    nPassed_ = 0;
     progress_.start();
     newton_.start(fields.D().oldTime(), fields.Df().oldTime());
 }
@@ -159,9 +161,13 @@ bool Foam::picardSystem::passes()
 {
     residuals_.update(zOld_, z_, r_);
 
-    return
-        controls_.passes(residuals_.relative())
-     && newton_.increment() <= controls_.solidIncrement();
+    if (!controls_.passes(residuals_.relative()))
+    {
+        return false;
+    }
+    ++nPassed_;
+
+    return newton_.increment() <= controls_.solidIncrement();
 }
 
 
@@ -270,7 +276,8 @@ bool Foam::picardSystem::converged
         Info<< "    sweep residuals " << flatOutput(relative) << endl;
     }
 
-    return controls_.passes(relative);
+    // Single sweeps from residuals that pass need not get any further
+    return controls_.passes(relative, nPassed_ > 1 ? 0.1 : 1);
 }
 
 
