@@ -20,7 +20,6 @@ License
 \*---------------------------------------------------------------------------*/
 
 
-
 #include "substructures.H"
 #include "labelField.H"
 #include "Pstream.H"
