@@ -46,49 +46,37 @@ void Foam::stressFlux::jumpForces(const vectorField& u, const vectorField& uf)
 
     // stress_ collects V T first
 
-    const auto ownSide = [&](const label facei)
+    const auto side = [&](const label facei, const bool owner)
     {
-        const label c = own[facei];
+        const label c = owner ? own[facei] : nei[facei];
         const vector dx(Cf[facei] - C[c]);
         const vector r(uf[facei] - u[c] - (dx & grad_[c]));
         const vector& e = stiffness_.axis(c, dx, S[facei]);
-        const vector F(factor_*stiffness_.own(facei, e, r));
+        const vector F(factor_*stiffness_.force(facei, owner, e, r));
 
-        ownForce_[facei] = F;
-        stress_[c] += dx*F;
-    };
-
-    const auto neiSide = [&](const label facei)
-    {
-        const label c = nei[facei];
-        const vector dx(Cf[facei] - C[c]);
-        const vector r(uf[facei] - u[c] - (dx & grad_[c]));
-        const vector& e = stiffness_.axis(c, dx, S[facei]);
-        const vector F(factor_*stiffness_.nei(facei, e, r));
-
-        neiForce_[facei] = F;
+        (owner ? ownForce_ : neiForce_)[facei] = F;
         stress_[c] += dx*F;
     };
 
     for (const label facei : zone_.internal)
     {
-        ownSide(facei);
-        neiSide(facei);
+        side(facei, true);
+        side(facei, false);
     }
 
     for (const label facei : zone_.coupled)
     {
-        ownSide(facei);
+        side(facei, true);
     }
 
     for (const label facei : zone_.ownSides)
     {
-        ownSide(facei);
+        side(facei, true);
     }
 
     for (const label facei : zone_.neiSides)
     {
-        neiSide(facei);
+        side(facei, false);
     }
 
     for (const label celli : zone_.cells)

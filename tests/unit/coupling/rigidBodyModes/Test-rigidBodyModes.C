@@ -481,9 +481,7 @@ static void testRigid(const Time& runTime, const string& kind)
     solids s(mesh(), freePatches, 1);
 
     const solidNodes nodes(s.flux.geometry());
-    stressFlux::workArrays none;
-    const stressFlux stress(s.flux.geometry(), true, none);
-    solidStiffness K(nodes, stress, true);
+    solidStiffness K(nodes, s.flux.stress(true), true);
     K.update
     (
         scalarField(mesh->nCells(), 0),
@@ -571,6 +569,7 @@ static void testIterations
     for (const bool multigrid : {false, true})
     {
         rigidBodyModes::maxDirect2D = multigrid ? 0 : 10000;
+        rigidBodyModes::maxWhole2D = rigidBodyModes::maxDirect2D;
         rigidBodyModes::maxDirect3D = rigidBodyModes::maxDirect2D;
 
         solids s(mesh(), patches, 1e4);
@@ -617,6 +616,7 @@ static void testIterations
     }
 
     rigidBodyModes::maxDirect2D = 30000;
+    rigidBodyModes::maxWhole2D = 10000;
     rigidBodyModes::maxDirect3D = 1000;
 }
 

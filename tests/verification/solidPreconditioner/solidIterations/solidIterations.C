@@ -256,8 +256,7 @@ int main(int argc, char *argv[])
     };
 
     {
-        rigidBodyModes::maxDirect3D = rigidBodyModes::maxDirect2D;
-        rigidBodyModes::maxWhole3D = rigidBodyModes::maxWhole2D;
+        rigidBodyModes::maxDirect3D = rigidBodyModes::maxWhole2D;
         solidSolver solver(op, block, ownSide, neiSide);
         solver.update();
         solve(solver, mesh, "rigidBodyModes", 1e-9, r, exact);
@@ -272,7 +271,6 @@ int main(int argc, char *argv[])
         rigidBodyModes::maxDirect2D = 0;
         rigidBodyModes::maxDirect3D = 0;
         rigidBodyModes::maxWhole2D = 0;
-        rigidBodyModes::maxWhole3D = 0;
         solidSolver solver(op, block, ownSide, neiSide);
         solver.update();
         run(solver, "rigidBodyModes", "multigrid");

@@ -26,13 +26,11 @@ License
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
-Foam::label Foam::rigidBodyModes::maxDirect2D = 30000;
+Foam::label Foam::rigidBodyModes::maxWhole2D = 10000;
 
 Foam::label Foam::rigidBodyModes::maxDirect3D = 1000;
 
-Foam::label Foam::rigidBodyModes::maxWhole2D = 10000;
-
-Foam::label Foam::rigidBodyModes::maxWhole3D = 1000;
+Foam::label Foam::rigidBodyModes::maxDirect2D = 30000;
 
 Foam::label Foam::rigidBodyModes::maxInterface2D = 400;
 
@@ -182,7 +180,8 @@ void Foam::rigidBodyModes::setMatrix()
 Foam::rigidBodyModes::rigidBodyModes(unifiedOperator& op, const faces& f)
 :
     solidPreconditioner(op, f),
-    nodes_(op.geometry(), seenByLinks(op)),
+    factorise_(direct(op.geometry())),
+    nodes_(op.geometry(), seenByLinks(op, factorise_)),
     betaDt_(-1),
     betaDtSince_(-1),
     timeIndex_(-1),

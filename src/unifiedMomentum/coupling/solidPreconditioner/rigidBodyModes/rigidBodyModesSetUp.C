@@ -146,25 +146,24 @@ Foam::label Foam::rigidBodyModes::nInterface(const fluxGeometry& geometry)
 bool Foam::rigidBodyModes::direct(const fluxGeometry& geometry)
 {
     const bool threeD = geometry.mesh().nSolutionD() == 3;
-    const label maxDirect = threeD ? maxDirect3D : maxDirect2D;
     const label nOwn = geometry.cellsAndFaces(true).cells.size();
-
-    if (!Pstream::parRun())
-    {
-        return nOwn <= maxDirect;
-    }
+    const label nAll = returnReduce(nOwn, sumOp<label>());
 
     return
-        returnReduce(nOwn, sumOp<label>()) <= (threeD ? maxWhole3D : maxWhole2D)
+        nAll <= (threeD ? maxDirect3D : maxWhole2D)
      || (
             !threeD
-         && returnReduce(nOwn, maxOp<label>()) <= maxDirect
+         && returnReduce(nOwn, maxOp<label>()) <= maxDirect2D
          && nInterface(geometry) <= maxInterface2D
         );
 }
 
 
-Foam::boolList Foam::rigidBodyModes::seenByLinks(const unifiedOperator& op)
+Foam::boolList Foam::rigidBodyModes::seenByLinks
+(
+    const unifiedOperator& op,
+    const bool factorise
+)
 {
     const fluxGeometry& geometry = op.geometry();
     const fvMesh& mesh = geometry.mesh();
@@ -175,7 +174,7 @@ Foam::boolList Foam::rigidBodyModes::seenByLinks(const unifiedOperator& op)
     if
     (
         !links.active() || geometry.skewed(true)
-     || !direct(geometry)
+     || !factorise
     )
     {
         return boolList();
@@ -303,16 +302,14 @@ void Foam::rigidBodyModes::setUp()
     const label nCells = nodes_.geometry().mesh().nCells();
     const label d = nodes_.blockSize();
 
-    // Links make the rows of the matrix up to four times longer. In multigrid
-    // that costs more than the iterations that they save
-    const bool factorise = direct(nodes_.geometry());
-
     // Those of an old shape first
     factors_.clear();
     levels_.clear();
     smoother_.clear();
     stiffness_.clear();
 
+    // Links make the rows of the matrix up to four times longer. In multigrid
+    // that costs more than the iterations that they save.
     // Without the factor beta dt: the same at any time step, to the last
     // digit, so that a restart goes on bitwise
     stiffness_.reset
@@ -321,7 +318,7 @@ void Foam::rigidBodyModes::setUp()
         (
             nodes_,
             op_.flux().stress(true),
-            factorise,
+            factorise_,
             shape_.cells.size() ? &shape_ : nullptr
         )
     );
@@ -334,7 +331,7 @@ void Foam::rigidBodyModes::setUp()
         vectorField(faces_.weight.size(), Zero)
     );
 
-    if (factorise)
+    if (factorise_)
     {
         factors_.reset
         (
