@@ -399,11 +399,11 @@ void Foam::enclosedFluids::correct
 }
 
 
-void Foam::enclosedFluids::setLevel(scalarField& p) const
+bool Foam::enclosedFluids::setLevel(scalarField& p) const
 {
     if (nCells_.size() == nElastic_)
     {
-        return;
+        return false;
     }
 
     const scalar shift = returnReduce
@@ -419,6 +419,8 @@ void Foam::enclosedFluids::setLevel(scalarField& p) const
             p[celli] += shift;
         }
     }
+
+    return shift != 0;
 }
 
 

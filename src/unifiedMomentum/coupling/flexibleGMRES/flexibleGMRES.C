@@ -257,13 +257,12 @@ bool Foam::flexibleGMRES::plainSweep
     // Where a cycle has its first ones
     unifiedVector& dz = vectorOf(z_, 0, r);
     unifiedVector& rNew = vectorOf(v_, 0, r);
-    unifiedVector& y = vectorOf(v_, 1, r);
+    unifiedVector& zNew = vectorOf(v_, 1, r);
 
     system.precondition(r, dz);
-    system.apply(dz, y);
-
-    rNew = r;
-    rNew.add(-1, y);
+    zNew = z;
+    zNew.add(1, dz);
+    system.residual(zNew, dz, r, rNew);
 
     const scalar before =
         returnReduce(system.localDot(r, r), sumOp<scalar>());
@@ -272,10 +271,15 @@ bool Foam::flexibleGMRES::plainSweep
 
     if (!(after < before))
     {
+        // A dz, for the cycle
+        unifiedVector& y = zNew;
+        y = r;
+        y.add(-1, rNew);
+
         return false;
     }
 
-    z.add(1, dz);
+    z = zNew;
     r = rNew;
 
     return true;
@@ -301,7 +305,8 @@ Foam::flexibleGMRES::performance Foam::flexibleGMRES::solve
 )
 {
     const bool kept = plainSweep(system, z, r);
-    performance perf{1, kept && system.converged(z, r), false};
+    const bool plain = kept && system.converged(z, r);
+    performance perf{1, plain, plain, false};
     bool haveFirst = !kept;
 
     while

@@ -74,13 +74,13 @@ Foam::derivedFields::derivedFields
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::derivedFields::setFlux(const unifiedVector& z)
+void Foam::derivedFields::setFlux(const unifiedVector& z, const bool current)
 {
     const fvMesh& mesh = fields_.mesh();
     const fluxGeometry& geometry = flux_.geometry();
     scalarField phi(mesh.nFaces(), 0);
 
-    flux_.divergence(z, false, divergence_, false, &phi);
+    flux_.divergence(z, false, divergence_, current, &phi);
 
     // A process with only the solid's side of a face takes the other's flux
     const scalarField beyond(geometry.neighbourSides(phi));
@@ -174,11 +174,11 @@ void Foam::derivedFields::setContinuityError
 void Foam::derivedFields::setStress
 (
     const unifiedVector& z,
-    const momentumFlux::displacementVelocity& star
+    const vectorField& R
 )
 {
     vectorField traction(fields_.mesh().nFaces(), Zero);
-    flux_.stressField(z, star, fields_.sigma().primitiveFieldRef(), traction);
+    flux_.stressField(z, R, fields_.sigma().primitiveFieldRef(), traction);
 
     correctStressBoundary();
 

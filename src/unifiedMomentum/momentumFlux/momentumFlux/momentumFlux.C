@@ -155,7 +155,8 @@ Foam::momentumFlux::momentumFlux
     interfaceRest_(),
     uf_(geometry_.nFaces(), Zero),
     ownForce_(geometry_),
-    neiForce_(geometry_)
+    neiForce_(geometry_),
+    evaluation_(0)
 {
     solidMeshCheck(geometry_).warn();
 }
@@ -167,6 +168,7 @@ void Foam::momentumFlux::setBetaDt(const scalar betaDt)
 {
     if (betaDt != betaDt_)
     {
+        ++evaluation_;
         betaDt_ = betaDt;
         solidStress_.setFactor(betaDt);
         setShares();
@@ -177,6 +179,7 @@ void Foam::momentumFlux::setBetaDt(const scalar betaDt)
 
 void Foam::momentumFlux::updateGeometry()
 {
+    ++evaluation_;
     geometry_.update();
     fluidStress_.updateGeometry();
     pressure_.updateGeometry();
@@ -217,6 +220,8 @@ void Foam::momentumFlux::updateBoundary
     const volScalarField& p
 )
 {
+    ++evaluation_;
+
     forAll(U.boundaryField(), patchi)
     {
         const fvPatchVectorField& Up = U.boundaryField()[patchi];
@@ -270,6 +275,7 @@ const Foam::pressureFlux& Foam::momentumFlux::extrapolatePressure
     const scalarField& p
 )
 {
+    ++evaluation_;
     pressure_.interpolate(p, uf_, false);
 
     return pressure_;
@@ -278,6 +284,7 @@ const Foam::pressureFlux& Foam::momentumFlux::extrapolatePressure
 
 const Foam::vectorField& Foam::momentumFlux::gradP(const scalarField& dp)
 {
+    ++evaluation_;
     pressure_.interpolate(dp, vectorField(), true);
 
     return pressure_.grad();

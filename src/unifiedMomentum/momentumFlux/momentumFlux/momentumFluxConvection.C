@@ -212,6 +212,7 @@ void Foam::momentumFlux::divergence
 
     if (!current)
     {
+        ++evaluation_;
         setFaceVelocities(z, false, homogeneous, nullptr, uf_);
         fluidStress_.interpolate(z.U, uf_);
         pressure_.interpolate(z.p, uf_, homogeneous);

@@ -115,6 +115,7 @@ void Foam::momentumFlux::evaluateFluid
     const fluxGeometry::zone& fluid = geometry_.cellsAndFaces(false);
     const vectorField& S = geometry_.S(false);
 
+    ++evaluation_;
     setFaceVelocities(z, false, homogeneous, nullptr, uf_);
     fluidStress_.interpolate(z.U, uf_);
     fluidStress_.addInsideForces(z.U, uf_, cellForce);
@@ -153,6 +154,7 @@ void Foam::momentumFlux::evaluateSolid
 {
     const fluxGeometry::zone& solid = geometry_.cellsAndFaces(true);
 
+    ++evaluation_;
     setFaceVelocities(z, true, !offset, offset, uf_);
     solidStress_.setTangent(!offset);
 
@@ -273,17 +275,12 @@ void Foam::momentumFlux::forces
 void Foam::momentumFlux::stressField
 (
     const unifiedVector& z,
-    const displacementVelocity& offset,
+    const vectorField& R,
     symmTensorField& sigma,
     vectorField& traction
-)
+) const
 {
     const materialZones& materials = geometry_.materials();
-
-    // The forces that the cells get, without convection
-    vectorField cellForce(z.U.size());
-    vectorField R(z.Uf.size());
-    forces(z, &offset, cellForce, R);
 
     for (const label celli : geometry_.cellsAndFaces(false).cells)
     {
@@ -326,6 +323,8 @@ Foam::scalar Foam::momentumFlux::elasticEnergy
     vectorField& Df
 )
 {
+    ++evaluation_;
+
     // The stiffness of solidStress_ is times beta dt
     return solidStress_.energy(D, Df)/betaDt_;
 }

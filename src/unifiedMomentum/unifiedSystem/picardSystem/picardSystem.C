@@ -44,6 +44,7 @@ Foam::picardSystem::picardSystem
     ),
     zOld_(z_),
     r_(z_),
+    evaluation_(-1),
     controls_(controls),
     residuals_(sweep_, flux.geometry()),
     newton_(flux),
@@ -68,6 +69,7 @@ void Foam::picardSystem::start(const unifiedFields& fields)
 {
     fields.toUnknowns(op_.geometry(), 1, zOld_);
     z_ = zOld_;
+    evaluation_ = -1;
     nSweeps_ = 0;
     nPassed_ = 0;
     progress_.start();
@@ -95,6 +97,24 @@ void Foam::picardSystem::update(const surfaceScalarField& phi)
 void Foam::picardSystem::updateResidual()
 {
     op_.residual(z_, known_, r_);
+    evaluation_ = op_.flux().evaluation();
+}
+
+
+bool Foam::picardSystem::current() const
+{
+    return evaluation_ == op_.flux().evaluation();
+}
+
+
+Foam::vectorField Foam::picardSystem::evaluate()
+{
+    if (!current())
+    {
+        updateResidual();
+    }
+
+    return vectorField(-r_.Uf);
 }
 
 
@@ -188,10 +208,8 @@ void Foam::picardSystem::solve()
 
         const flexibleGMRES::performance perf = krylov_.solve(*this, z_, r_);
 
-        // One step from the true residual does not drift
         const bool exact =
-            perf.converged && perf.nSweeps == 1
-         && !newton_.active() && !sweep_.enclosed().elastic();
+            perf.plain && !newton_.active() && !sweep_.enclosed().elastic();
 
         if (!exact)
         {
@@ -209,7 +227,10 @@ void Foam::picardSystem::solve()
             updateResidual();
         }
 
-        sweep_.enclosed().setLevel(z_.p);
+        if (sweep_.enclosed().setLevel(z_.p))
+        {
+            evaluation_ = -1;
+        }
 
         if (exact || !perf.converged || converged(z_, r_))
         {
@@ -248,6 +269,27 @@ void Foam::picardSystem::precondition
 {
     sweep_.apply(r, z);
     ++nSweeps_;
+}
+
+
+void Foam::picardSystem::residual
+(
+    const unifiedVector& zNew,
+    const unifiedVector& dz,
+    const unifiedVector& r,
+    unifiedVector& rNew
+)
+{
+    if (newton_.active())
+    {
+        // Of the tangent
+        linearSystem::residual(zNew, dz, r, rNew);
+        return;
+    }
+
+    // Does not drift, and leaves the forces of a step that ends with it
+    op_.residual(zNew, known_, rNew);
+    evaluation_ = op_.flux().evaluation();
 }
 
 

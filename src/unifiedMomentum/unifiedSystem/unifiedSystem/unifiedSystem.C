@@ -137,7 +137,7 @@ void Foam::unifiedSystem::takeUnknowns()
         moveMesh(system_.z());
     }
 
-    derived_.setFlux(system_.z());
+    derived_.setFlux(system_.z(), system_.current());
     patches_.correct();
 }
 
@@ -377,7 +377,7 @@ void Foam::unifiedSystem::updateDisplacement()
     takeUnknowns();
     derived_.setDisplacement(z, known.D);
     derived_.setContinuityError(known.volumeError);
-    derived_.setStress(z, known.D);
+    derived_.setStress(z, system_.evaluate());
     if (motion_)
     {
         motion_->followSolid

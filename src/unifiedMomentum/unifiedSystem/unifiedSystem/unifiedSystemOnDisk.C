@@ -79,7 +79,12 @@ void Foam::unifiedSystem::evaluate()
         }
     }
 
-    derived_.setStress(z, star);
+    // The forces that the cells get, not asked for
+    vectorField cellForce(z.U.size());
+    vectorField R(z.Uf.size());
+    flux_.forces(z, &star, cellForce, R);
+
+    derived_.setStress(z, R);
 }
 
 

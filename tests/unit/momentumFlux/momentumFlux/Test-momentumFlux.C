@@ -602,7 +602,7 @@ static void testUniformStress
 
     symmTensorField sigma(mesh->nCells());
     vectorField traction(mesh->nFaces(), Zero);
-    e.flux.stressField(e.z, e.offset, sigma, traction);
+    e.flux.stressField(e.z, e.faceForce, sigma, traction);
     scalar error = 0;
     forAll(sigma, celli)
     {
