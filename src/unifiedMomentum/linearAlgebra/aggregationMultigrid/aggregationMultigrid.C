@@ -161,11 +161,14 @@ void Foam::aggregationMultigrid::smooth
     l.invD.add(1/centre, r, step);
     scalar factor = radius/centre;
 
-    for (label k = 0; k < nSteps_; ++k)
+    // More in coarse levels saves no iterations
+    const label nSteps = &l == &levels_.front() ? nSteps_ : nSteps_/2;
+
+    for (label k = 0; k < nSteps; ++k)
     {
         x += step;
 
-        if (k + 1 < nSteps_)
+        if (k + 1 < nSteps)
         {
             addProduct(l, -1, step, r);
             const scalar next = 1/(2*centre/radius - factor);
