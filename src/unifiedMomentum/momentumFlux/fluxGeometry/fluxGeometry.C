@@ -101,6 +101,7 @@ void Foam::fluxGeometry::setKinds(const volVectorField& U)
     }
 
     const labelList beyond(materials_.boundaryNeighbour());
+    DynamicList<label> coupled;
 
     forAll(U.boundaryField(), patchi)
     {
@@ -123,12 +124,16 @@ void Foam::fluxGeometry::setKinds(const volVectorField& U)
              != beyond[facei - nInternal]
               ? INTERFACE
               : kind;
-        }
 
-        anyCoupled_ = anyCoupled_ || Up.coupled();
+            if (Up.coupled())
+            {
+                coupled.append(facei - nInternal);
+            }
+        }
     }
 
-    reduce(anyCoupled_, orOp<bool>());
+    coupled_.transfer(coupled);
+    anyCoupled_ = returnReduce(!coupled_.empty(), orOp<bool>());
 
     nFaces_ = mesh_.nFaces();
     while (nFaces_ > nInternal && kind_[nFaces_ - 1] == IGNORED)

@@ -50,9 +50,9 @@ Foam::tmp<Foam::Field<Type>> Foam::fluxGeometry::neighbourValues
     tmp<Field<Type>> tvalues(new Field<Type>(mesh_.nFaces() - nInternal));
     Field<Type>& values = tvalues.ref();
 
-    forAll(values, i)
+    for (const label i : coupled_)
     {
-        values[i] = cells[mesh_.faceOwner()[nInternal + i]];
+        values[i] = cells[own_[nInternal + i]];
     }
 
     swap(values);
@@ -74,10 +74,10 @@ Foam::tmp<Foam::Field<Type>> Foam::fluxGeometry::neighbourSides
 
     const label nInternal = mesh_.nInternalFaces();
 
-    tmp<Field<Type>> tvalues(new Field<Type>(mesh_.nFaces() - nInternal, Zero));
+    tmp<Field<Type>> tvalues(new Field<Type>(mesh_.nFaces() - nInternal));
     Field<Type>& values = tvalues.ref();
 
-    for (label i = 0; i < nFaces_ - nInternal; ++i)
+    for (const label i : coupled_)
     {
         values[i] = faces[nInternal + i];
     }
