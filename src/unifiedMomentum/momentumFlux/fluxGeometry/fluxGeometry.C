@@ -20,128 +20,8 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "fluxGeometry.H"
-#include "basicSymmetryFvPatchField.H"
-#include "cyclicAMIFvPatch.H"
-#include "emptyFvPatch.H"
-#include "symmetryPlaneFvPatch.H"
-#include "wedgeFvPatch.H"
-#include "solidTractionFvPatchVectorField.H"
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace Foam
-{
-    //- Fail on a patch type that is not supported
-    static void refusePatchType(const fvPatch& patch, const string& choices)
-    {
-        const polyBoundaryMesh& patches = patch.patch().boundaryMesh();
-        const dictionary file(fileName(patches.objectPath()));
-
-        FatalIOErrorInFunction(file)
-            << "Entry 'type' of patch " << patch.name() << " is "
-            << patch.type() << nl
-            << "    Valid choices: " << choices.c_str()
-            << exit(FatalIOError);
-    }
-}
-
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-Foam::fluxGeometry::faceKind Foam::fluxGeometry::patchKind
-(
-    const fvPatchVectorField& U
-) const
-{
-    const fvPatch& patch = U.patch();
-
-    if (isA<emptyFvPatch>(patch))
-    {
-        return IGNORED;
-    }
-    else if (isA<wedgeFvPatch>(patch))
-    {
-        refusePatchType
-        (
-            patch,
-            "any other type; an axisymmetric case is solved as a 3-D sector"
-            " with symmetryPlane sides"
-        );
-    }
-    else if (isA<solidTractionFvPatchVectorField>(U))
-    {
-        return TRACTION;
-    }
-    else if (isA<symmetryPlaneFvPatch>(patch))
-    {
-        return SYMMETRY;
-    }
-    else if (isA<basicSymmetryFvPatchField<vector>>(U))
-    {
-        return SLIP;
-    }
-
-    return FIXED;
-}
-
-
-void Foam::fluxGeometry::setKinds(const volVectorField& U)
-{
-    const label nInternal = mesh_.nInternalFaces();
-    const labelUList& own = mesh_.faceOwner();
-    const labelUList& nei = mesh_.faceNeighbour();
-
-    for (label facei = 0; facei < nInternal; ++facei)
-    {
-        kind_[facei] =
-            materials_.materialIndex(own[facei])
-         == materials_.materialIndex(nei[facei])
-          ? INSIDE
-          : INTERFACE;
-    }
-
-    const labelList beyond(materials_.boundaryNeighbour());
-    DynamicList<label> coupled;
-
-    forAll(U.boundaryField(), patchi)
-    {
-        const fvPatchVectorField& Up = U.boundaryField()[patchi];
-        const polyPatch& pp = Up.patch().patch();
-        const faceKind kind = Up.coupled() ? INSIDE : patchKind(Up);
-
-        if (isA<cyclicAMIFvPatch>(Up.patch()))
-        {
-            refusePatchType(Up.patch(), "cyclic, with faces that match");
-        }
-
-        forAll(pp, i)
-        {
-            const label facei = pp.start() + i;
-
-            kind_[facei] =
-                Up.coupled()
-             && materials_.materialIndex(own[facei])
-             != beyond[facei - nInternal]
-              ? INTERFACE
-              : kind;
-
-            if (Up.coupled())
-            {
-                coupled.append(facei - nInternal);
-            }
-        }
-    }
-
-    coupled_.transfer(coupled);
-    anyCoupled_ = returnReduce(!coupled_.empty(), orOp<bool>());
-
-    nFaces_ = mesh_.nFaces();
-    while (nFaces_ > nInternal && kind_[nFaces_ - 1] == IGNORED)
-    {
-        --nFaces_;
-    }
-}
-
 
 void Foam::fluxGeometry::keepReference()
 {
@@ -381,100 +261,6 @@ void Foam::fluxGeometry::setSkewness()
 }
 
 
-void Foam::fluxGeometry::setZone(zone& z, const bool solid) const
-{
-    z.cells = materials_.cells(solid);
-
-    DynamicList<label> internal, coupledFaces, ownSides, neiSides, symmetry;
-
-    forAll(kind_, facei)
-    {
-        const bool own = materials_.solid(mesh_.faceOwner()[facei]) == solid;
-        const bool nei =
-            mesh_.isInternalFace(facei)
-         && materials_.solid(mesh_.faceNeighbour()[facei]) == solid;
-
-        if (kind_[facei] == IGNORED)
-        {
-            continue;
-        }
-        else if (kind_[facei] != INSIDE)
-        {
-            if (own)
-            {
-                ownSides.append(facei);
-            }
-            if (nei)
-            {
-                neiSides.append(facei);
-            }
-            if (own && kind_[facei] == SYMMETRY)
-            {
-                symmetry.append(facei);
-            }
-        }
-        else if (own)
-        {
-            (mesh_.isInternalFace(facei) ? internal : coupledFaces)
-                .append(facei);
-        }
-    }
-
-    z.internal.transfer(internal);
-    z.coupled.transfer(coupledFaces);
-    z.ownSides.transfer(ownSides);
-    z.neiSides.transfer(neiSides);
-    z.symmetry.transfer(symmetry);
-}
-
-
-void Foam::fluxGeometry::setUnknowns()
-{
-    DynamicList<label> faces;
-
-    forAll(kind_, facei)
-    {
-        if
-        (
-            kind_[facei] == INTERFACE
-         || kind_[facei] == TRACTION
-         || kind_[facei] == SLIP
-        )
-        {
-            unknownIndex_[facei] = faces.size();
-            faces.append(facei);
-
-            if (mesh_.isInternalFace(facei))
-            {
-                ++nInterfaces_;
-            }
-        }
-    }
-
-    patchSide_.setSize(mesh_.nFaces() - mesh_.nInternalFaces(), -1);
-    nSides_ = nInterfaces_;
-
-    forAll(patchSide_, i)
-    {
-        if (kind_[mesh_.nInternalFaces() + i] != IGNORED)
-        {
-            patchSide_[i] = nSides_++;
-        }
-    }
-
-    unknownFaces_.transfer(faces);
-    unknownWeight_.setSize(unknownFaces_.size(), 1);
-
-    forAll(unknownFaces_, i)
-    {
-        if (coupled(unknownFaces_[i]))
-        {
-            unknownWeight_[i] = 0.5;
-        }
-    }
-}
-
-
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::fluxGeometry::fluxGeometry
@@ -484,13 +270,7 @@ Foam::fluxGeometry::fluxGeometry
     const bool moves
 )
 :
-    mesh_(U.mesh()),
-    materials_(materials),
-    own_(mesh_.faceOwner()),
-    nei_(mesh_.faceNeighbour()),
-    kind_(mesh_.nFaces(), IGNORED),
-    nFaces_(0),
-    anyCoupled_(false),
+    faceKinds(materials, U),
     moves_(moves),
     started_(false),
     skewed_{false, false},
@@ -501,12 +281,8 @@ Foam::fluxGeometry::fluxGeometry
     warp_(),
     dBeyond_(),
     V_(mesh_.cellVolumes()),
-    invB_(),
-    unknownIndex_(mesh_.nFaces(), -1),
-    nInterfaces_(0),
-    nSides_(0)
+    invB_()
 {
-    setKinds(U);
     if (moves_)
     {
         keepReference();
@@ -521,9 +297,6 @@ Foam::fluxGeometry::fluxGeometry
     setLengths();
     setWarp();
     setSkewness();
-    setZone(zones_[false], false);
-    setZone(zones_[true], true);
-    setUnknowns();
 
     started_ = true;
 }
@@ -533,7 +306,7 @@ Foam::fluxGeometry::fluxGeometry
 
 void Foam::fluxGeometry::update()
 {
-    for (const label celli : zones_[false].cells)
+    for (const label celli : cellsAndFaces(false).cells)
     {
         V_[celli] = mesh_.cellVolumes()[celli];
     }
@@ -541,17 +314,6 @@ void Foam::fluxGeometry::update()
     setLengths();
     setWarp();
     setSkewness();
-}
-
-
-bool Foam::fluxGeometry::coupled(const label facei) const
-{
-    return
-        !mesh_.isInternalFace(facei)
-     && mesh_.boundaryMesh()
-        [
-            mesh_.boundaryMesh().whichPatch(facei)
-        ].coupled();
 }
 
 

@@ -19,13 +19,13 @@ License
 
 \*---------------------------------------------------------------------------*/
 
-#include "fluxGeometry.H"
+#include "faceKinds.H"
 #include "syncTools.H"
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 template<class Type>
-void Foam::fluxGeometry::swap(Field<Type>& boundaryValues) const
+void Foam::faceKinds::swap(Field<Type>& boundaryValues) const
 {
     if (anyCoupled_)
     {
@@ -35,7 +35,7 @@ void Foam::fluxGeometry::swap(Field<Type>& boundaryValues) const
 
 
 template<class Type>
-Foam::tmp<Foam::Field<Type>> Foam::fluxGeometry::neighbourValues
+Foam::tmp<Foam::Field<Type>> Foam::faceKinds::neighbourValues
 (
     const Field<Type>& cells
 ) const
@@ -62,7 +62,7 @@ Foam::tmp<Foam::Field<Type>> Foam::fluxGeometry::neighbourValues
 
 
 template<class Type>
-Foam::tmp<Foam::Field<Type>> Foam::fluxGeometry::neighbourSides
+Foam::tmp<Foam::Field<Type>> Foam::faceKinds::neighbourSides
 (
     const Field<Type>& faces
 ) const
