@@ -24,16 +24,6 @@ License
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::cellStiffness::setFace(velocity& v, const label i) const
-{
-    v.node = nodes_.ofFace(i);
-    if (v.node < 0)
-    {
-        v.face = i;
-    }
-}
-
-
 Foam::cellStiffness::velocity Foam::cellStiffness::beyond
 (
     const label celli,
@@ -51,9 +41,22 @@ Foam::cellStiffness::velocity Foam::cellStiffness::beyond
     const vector dxOther =
         owner ? geometry.dNei(facei) : geometry.dOwn(facei);
 
-    velocity v{-1, -1, tensor::I, dx, S/geometry.V()[celli]};
+    velocity v
+    {
+        nodes_.seen(celli, facei),
+        -1,
+        tensor::I,
+        dx,
+        S/geometry.V()[celli]
+    };
 
     const tensor along(tensor::I - tensor(sqr(geometry.n(true, facei))));
+
+    // Of a free face that is no node
+    if (i >= 0 && nodes_.eliminated(i))
+    {
+        v.face = i;
+    }
 
     switch (geometry.kind(facei))
     {
@@ -62,18 +65,8 @@ Foam::cellStiffness::velocity Foam::cellStiffness::beyond
             v.x = dx - dxOther;
             v.g *= weight(celli, facei);
 
-            if (mesh.isInternalFace(facei))
+            if (!mesh.isInternalFace(facei))
             {
-                v.node = nodes_.ofCell
-                (
-                    owner
-                  ? mesh.faceNeighbour()[facei]
-                  : mesh.faceOwner()[facei]
-                );
-            }
-            else
-            {
-                v.node = nodes_.beyond(facei);
                 v.T = nodes_.rotation(facei);
             }
             break;
@@ -81,38 +74,25 @@ Foam::cellStiffness::velocity Foam::cellStiffness::beyond
         case fluxGeometry::SYMMETRY:
         {
             // The mirrored cell: what the plane leaves of its velocity
-            v.node = nodes_.ofCell(celli);
             v.T = along;
             v.x = dx - geometry.tangential(facei, dx);
             break;
         }
         case fluxGeometry::SLIP:
         {
-            setFace(v, i);
             v.T = along;
-            break;
-        }
-        case fluxGeometry::TRACTION:
-        {
-            setFace(v, i);
             break;
         }
         case fluxGeometry::INTERFACE:
         {
-            if (nodes_.eliminated(i) || nodes_.ofFace(i) >= 0)
+            if (v.face < 0 && nodes_.ofFace(i) < 0)
             {
-                setFace(v, i);
-            }
-            else
-            {
-                v.node = nodes_.beyond(facei);
                 v.T = nodes_.rotation(facei);
             }
             break;
         }
         default:
         {
-            // Given by the patch
             break;
         }
     }
@@ -311,7 +291,12 @@ Foam::cellStiffness::cellStiffness
     mu_(0),
     lambda_(0),
     linked_(false)
-{}
+{
+    if (withLinks_ && nodes.geometry().anyCoupled())
+    {
+        setSeenBeyond();
+    }
+}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //

@@ -24,6 +24,78 @@ License
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+void Foam::cellStiffness::setSeenBeyond()
+{
+    const fluxGeometry& geometry = nodes_.geometry();
+    const fvMesh& mesh = geometry.mesh();
+    const label nInternal = mesh.nInternalFaces();
+    const label nBoundary = mesh.nFaces() - nInternal;
+    const labelList& coupled = geometry.cellsAndFaces(true).coupled;
+
+    // Instead of the number of a node
+    const label isGiven = -1;
+    const label isNone = -2;
+
+    seenBeyond_.setSize(nBoundary);
+
+    const label n = nodes_.maxFaces();
+    for (label side = 0; side < n; ++side)
+    {
+        labelField number(nBoundary, isNone);
+        tensorField T(nBoundary, Zero);
+        vectorField x(nBoundary, Zero);
+        vectorField g(nBoundary, Zero);
+
+        for (const label facei : coupled)
+        {
+            const DynamicList<velocity> values
+            (
+                stress_.links().links(facei)
+              ? seen(mesh.faceOwner()[facei], false)
+              : DynamicList<velocity>()
+            );
+
+            if (side < values.size())
+            {
+                const velocity& v = values[side];
+                const label i = facei - nInternal;
+
+                number[i] =
+                    v.node < 0 ? isGiven : nodes_.exchange().number(v.node);
+                T[i] = v.T;
+                x[i] = v.x;
+                g[i] = v.g;
+            }
+        }
+
+        geometry.swap(number);
+        geometry.swap(T);
+        geometry.swap(x);
+        geometry.swap(g);
+
+        for (const label facei : coupled)
+        {
+            const label i = facei - nInternal;
+
+            if (number[i] != isNone)
+            {
+                seenBeyond_[i].append
+                (
+                    velocity
+                    {
+                        number[i] == isGiven ? -1 : nodes_.ofNumber(number[i]),
+                        -1,
+                        T[i] & nodes_.rotation(facei),
+                        x[i],
+                        g[i]
+                    }
+                );
+            }
+        }
+    }
+}
+
+
 Foam::label Foam::cellStiffness::find(const velocity& v)
 {
     forAll(velocities_, j)
@@ -48,18 +120,41 @@ Foam::label Foam::cellStiffness::find(const velocity& v)
 }
 
 
-bool Foam::cellStiffness::addGradient
+Foam::DynamicList<Foam::cellStiffness::velocity> Foam::cellStiffness::seen
 (
     const label celli,
-    const label sidei,
-    const scalar factor,
     const bool own
-)
+) const
 {
     const fluxGeometry& geometry = nodes_.geometry();
+    DynamicList<velocity> values;
+
+    for (const label facei : geometry.mesh().cells()[celli])
+    {
+        if (geometry.kind(facei) != fluxGeometry::IGNORED)
+        {
+            const velocity v(beyond(celli, facei));
+            if (own || v.face < 0)
+            {
+                values.append(v);
+            }
+        }
+    }
+
+    return values;
+}
+
+
+bool Foam::cellStiffness::addGradient
+(
+    const DynamicList<velocity>& values,
+    const velocity& self,
+    const label sidei,
+    const scalar factor
+)
+{
     const label facei = sides_[sidei].facei;
 
-    DynamicList<velocity> values;
     tensor B(tensor::I);
     for (const direction k : nodes_.directions())
     {
@@ -67,19 +162,9 @@ bool Foam::cellStiffness::addGradient
     }
 
     // Differences to the cell's velocity
-    for (const label otheri : geometry.mesh().cells()[celli])
+    for (const velocity& v : values)
     {
-        if (geometry.kind(otheri) == fluxGeometry::IGNORED)
-        {
-            continue;
-        }
-
-        const velocity v(beyond(celli, otheri));
-        if (own || v.face < 0)
-        {
-            values.append(v);
-            B += v.g*v.x;
-        }
+        B += v.g*v.x;
     }
 
     if (mag(det(B)) < 0.05)
@@ -88,13 +173,7 @@ bool Foam::cellStiffness::addGradient
     }
 
     const tensor invB(inv(B));
-    const label self =
-        own
-      ? 0
-      : find
-        (
-            velocity{nodes_.ofCell(celli), -1, tensor::I, Zero, Zero}
-        );
+    const label selfi = find(self);
 
     for (const velocity& v : values)
     {
@@ -115,7 +194,7 @@ bool Foam::cellStiffness::addGradient
             weight(2, k) = value.z();
         }
 
-        links_.append(linkWeight{sidei, self, tensor(-weight)});
+        links_.append(linkWeight{sidei, selfi, tensor(-weight)});
 
         if (v.node >= 0)
         {
@@ -163,11 +242,19 @@ bool Foam::cellStiffness::addLinks(const label celli)
 
         const label nLinks = links_.size();
         const label nVelocities = velocities_.size();
+        const DynamicList<velocity> own(seen(celli, true));
         bool found = true;
+
+        const auto ofNode = [](const label node, const tensor& T)
+        {
+            return velocity{node, -1, T, Zero, Zero};
+        };
+
+        const velocity self(ofNode(nodes_.ofCell(celli), tensor::I));
 
         if (geometry.kind(facei) == fluxGeometry::SYMMETRY)
         {
-            found = addGradient(celli, sidei, -1, true);
+            found = addGradient(own, self, sidei, -1);
         }
         else if (mesh.isInternalFace(facei))
         {
@@ -177,8 +264,26 @@ bool Foam::cellStiffness::addLinks(const label celli)
             const scalar sign = owner ? 1 : -1;
 
             found =
-                addGradient(celli, sidei, -sign, true)
-             && addGradient(other, sidei, sign, false);
+                addGradient(own, self, sidei, -sign)
+             && addGradient
+                (
+                    seen(other, false),
+                    ofNode(nodes_.ofCell(other), tensor::I),
+                    sidei,
+                    sign
+                );
+        }
+        else if (nodes_.seesBeyond(facei))
+        {
+            found =
+                addGradient(own, self, sidei, -1)
+             && addGradient
+                (
+                    seenBeyond_[facei - mesh.nInternalFaces()],
+                    ofNode(nodes_.beyond(facei), nodes_.rotation(facei)),
+                    sidei,
+                    1
+                );
         }
 
         if (!found)

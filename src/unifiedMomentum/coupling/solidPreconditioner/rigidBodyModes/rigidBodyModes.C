@@ -181,7 +181,12 @@ Foam::rigidBodyModes::rigidBodyModes(unifiedOperator& op, const faces& f)
 :
     solidPreconditioner(op, f),
     factorise_(direct(op.geometry())),
-    nodes_(op.geometry(), seenByLinks(op, factorise_)),
+    nodes_
+    (
+        op.geometry(),
+        seenByLinks(op, factorise_),
+        linksBeyond(op, factorise_)
+    ),
     betaDt_(-1),
     betaDtSince_(-1),
     timeIndex_(-1),

@@ -159,6 +159,20 @@ bool Foam::rigidBodyModes::direct(const fluxGeometry& geometry)
 }
 
 
+bool Foam::rigidBodyModes::hasLinks
+(
+    const unifiedOperator& op,
+    const bool factorise
+)
+{
+    // On skew cells the matrix is not that of the operator anyway, and knows
+    // slender tetrahedra better with the faces eliminated
+    return
+        factorise && op.flux().stress(true).links().active()
+     && !op.geometry().skewed(true);
+}
+
+
 Foam::boolList Foam::rigidBodyModes::seenByLinks
 (
     const unifiedOperator& op,
@@ -169,13 +183,7 @@ Foam::boolList Foam::rigidBodyModes::seenByLinks
     const fvMesh& mesh = geometry.mesh();
     const faceLinks& links = op.flux().stress(true).links();
 
-    // On skew cells the matrix is not that of the operator anyway, and knows
-    // slender tetrahedra better with the faces eliminated
-    if
-    (
-        !links.active() || geometry.skewed(true)
-     || !factorise
-    )
+    if (!hasLinks(op, factorise))
     {
         return boolList();
     }
@@ -184,7 +192,11 @@ Foam::boolList Foam::rigidBodyModes::seenByLinks
     {
         for (const label facei : mesh.cells()[celli])
         {
-            if (mesh.isInternalFace(facei) && links.links(facei))
+            if
+            (
+                geometry.kind(facei) == fluxGeometry::INSIDE
+             && links.links(facei)
+            )
             {
                 return true;
             }
@@ -206,6 +218,38 @@ Foam::boolList Foam::rigidBodyModes::seenByLinks
     }
 
     return seen;
+}
+
+
+Foam::bitSet Foam::rigidBodyModes::linksBeyond
+(
+    const unifiedOperator& op,
+    const bool factorise
+)
+{
+    const fluxGeometry& geometry = op.geometry();
+    const fvMesh& mesh = geometry.mesh();
+
+    // Twice as many interface nodes: worth it while they are few
+    if
+    (
+        !hasLinks(op, factorise) || !geometry.anyCoupled()
+     || nInterface(geometry) > maxInterface2D/2
+    )
+    {
+        return bitSet();
+    }
+
+    bitSet faces(mesh.nFaces() - mesh.nInternalFaces());
+    for (const label facei : geometry.cellsAndFaces(true).coupled)
+    {
+        if (op.flux().stress(true).links().links(facei))
+        {
+            faces.set(facei - mesh.nInternalFaces());
+        }
+    }
+
+    return faces;
 }
 
 

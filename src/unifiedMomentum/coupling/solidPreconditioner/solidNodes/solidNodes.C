@@ -21,7 +21,6 @@ License
 
 
 #include "solidNodes.H"
-#include "bitSet.H"
 #include "coupledPolyPatch.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -147,7 +146,6 @@ void Foam::solidNodes::setBeyond()
     }
 
     // Several faces may have the same node beyond
-    Map<label> placed;
     DynamicList<label> numbersBeyond;
     forAll(beyond_, i)
     {
@@ -161,11 +159,64 @@ void Foam::solidNodes::setBeyond()
         }
         else
         {
-            if (placed.insert(number[i], nOwn_ + numbersBeyond.size()))
+            if (placeBeyond_.insert(number[i], nOwn_ + numbersBeyond.size()))
             {
                 numbersBeyond.append(number[i]);
             }
-            beyond_[i] = placed[number[i]];
+            beyond_[i] = placeBeyond_[number[i]];
+        }
+    }
+
+    exchange_ = nodeExchange(numbers, numbersBeyond);
+}
+
+
+void Foam::solidNodes::addSeenBeyond()
+{
+    if (!returnReduce(linked_.any(), orOp<bool>()))
+    {
+        return;
+    }
+
+    const fvMesh& mesh = geometry_.mesh();
+    const label nInternal = mesh.nInternalFaces();
+    const globalIndex numbers(exchange_.numbers());
+
+    const label n = maxFaces();
+
+    DynamicList<label> numbersBeyond;
+    for (label node = nOwn_; node < exchange_.nAll(); ++node)
+    {
+        numbersBeyond.append(exchange_.number(node));
+    }
+
+    for (label side = 0; side < n; ++side)
+    {
+        labelField number(mesh.nFaces() - nInternal, -1);
+        for (const label i : linked_)
+        {
+            const label celli = mesh.faceOwner()[nInternal + i];
+            const cell& faces = mesh.cells()[celli];
+            const label node =
+                side < faces.size() ? seen(celli, faces[side]) : -1;
+
+            if (node >= 0)
+            {
+                number[i] = exchange_.number(node);
+            }
+        }
+        geometry_.swap(number);
+
+        for (const label i : linked_)
+        {
+            if
+            (
+                number[i] >= 0 && !numbers.isLocal(number[i])
+             && placeBeyond_.insert(number[i], nOwn_ + numbersBeyond.size())
+            )
+            {
+                numbersBeyond.append(number[i]);
+            }
         }
     }
 
@@ -212,7 +263,8 @@ void Foam::solidNodes::add
 Foam::solidNodes::solidNodes
 (
     const fluxGeometry& geometry,
-    const boolList& kept
+    const boolList& kept,
+    const bitSet& linked
 )
 :
     geometry_(geometry),
@@ -221,6 +273,7 @@ Foam::solidNodes::solidNodes
     cellNode_(geometry.mesh().nCells(), -1),
     faceNode_(geometry.unknownFaces().size(), -1),
     free_(faceNode_.size(), false),
+    linked_(linked),
     sharesFaces_(false)
 {
     for (direction k = 0; k < vector::nComponents; ++k)
@@ -233,6 +286,7 @@ Foam::solidNodes::solidNodes
 
     setOwn(kept);
     setBeyond();
+    addSeenBeyond();
 }
 
 
@@ -241,6 +295,72 @@ Foam::solidNodes::solidNodes
 Foam::label Foam::solidNodes::beyond(const label facei) const
 {
     return beyond_[facei - geometry_.mesh().nInternalFaces()];
+}
+
+
+Foam::label Foam::solidNodes::seen
+(
+    const label celli,
+    const label facei
+) const
+{
+    const fvMesh& mesh = geometry_.mesh();
+
+    switch (geometry_.kind(facei))
+    {
+        case fluxGeometry::INSIDE:
+        {
+            const label own = mesh.faceOwner()[facei];
+
+            return
+                !mesh.isInternalFace(facei) ? beyond(facei)
+              : cellNode_[own == celli ? mesh.faceNeighbour()[facei] : own];
+        }
+        case fluxGeometry::SYMMETRY:
+        {
+            // The mirrored cell
+            return cellNode_[celli];
+        }
+        case fluxGeometry::SLIP:
+        case fluxGeometry::TRACTION:
+        {
+            return faceNode_[geometry_.unknownIndex()[facei]];
+        }
+        case fluxGeometry::INTERFACE:
+        {
+            const label i = geometry_.unknownIndex()[facei];
+
+            return
+                eliminated(i) || faceNode_[i] >= 0
+              ? faceNode_[i]
+              : beyond(facei);
+        }
+        default:
+        {
+            return -1;
+        }
+    }
+}
+
+
+Foam::label Foam::solidNodes::maxFaces() const
+{
+    label n = 0;
+    for (const cell& faces : geometry_.mesh().cells())
+    {
+        n = max(n, faces.size());
+    }
+
+    return returnReduce(n, maxOp<label>());
+}
+
+
+Foam::label Foam::solidNodes::ofNumber(const label number) const
+{
+    return
+        exchange_.numbers().isLocal(number)
+      ? exchange_.numbers().toLocal(number)
+      : placeBeyond_.lookup(number, -1);
 }
 
 
