@@ -164,7 +164,7 @@ void Foam::pressureFlux::setGradients(const scalarField& p)
 
     if (geometry_.anyCoupled())
     {
-        gradN_ = geometry_.neighbourValues(grad_);
+        gradN_.transfer(geometry_.neighbourValues(grad_).ref());
     }
 }
 
@@ -440,7 +440,7 @@ void Foam::pressureFlux::interpolate
 
     if (geometry_.anyCoupled())
     {
-        pN_ = geometry_.neighbourValues(p);
+        pN_.transfer(geometry_.neighbourValues(p).ref());
     }
 
     scalarField pExtrapolated(extrapolated_.size());

@@ -125,7 +125,7 @@ void Foam::stressFlux::addAdjoint()
 
         if (skewed)
         {
-            stressN = geometry_.neighbourValues(stress_);
+            stressN.transfer(geometry_.neighbourValues(stress_).ref());
         }
 
         for (const label facei : zone_.coupled)
