@@ -297,7 +297,8 @@ void Foam::sweep::apply(const unifiedVector& r, unifiedVector& dz)
     {
         // Last: what the fluid's pressure does to a solid is the largest
         // residual after a sweep, and the solid's solution is the best one
-        op_.apply(dz, r_);
+        const bool near = !enclosed_.elastic();
+        op_.apply(dz, r_, near);
         r_.scale(-1);
         r_.add(1, r);
         correction_.setZero();

@@ -47,11 +47,16 @@ void Foam::unifiedOperator::updateMass()
 }
 
 
-void Foam::unifiedOperator::apply(const unifiedVector& v, unifiedVector& y)
+void Foam::unifiedOperator::apply
+(
+    const unifiedVector& v,
+    unifiedVector& y,
+    const bool near
+)
 {
     addProfiling(apply, "unifiedOperator::apply");
 
-    flux_.forces(v, nullptr, y.U, y.Uf);
+    flux_.forces(v, nullptr, y.U, y.Uf, near);
 
     forAll(y.U, celli)
     {
@@ -161,7 +166,7 @@ void Foam::unifiedOperator::applySolid
         {
             sides[facei] = ownForce[facei];
         }
-        beyond = sides.neighbourSides();
+        beyond.transfer(sides.neighbourSides().ref());
     }
 
     const auto toFace = [&](const label facei, const vector& F)

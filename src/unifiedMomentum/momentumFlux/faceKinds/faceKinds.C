@@ -190,6 +190,89 @@ void Foam::faceKinds::setZone(zone& z, const bool solid) const
 }
 
 
+void Foam::faceKinds::setNear()
+{
+    const label nInternal = mesh_.nInternalFaces();
+    const labelList materialBeyond(materials_.boundaryNeighbour());
+    const zone& solid = zones_[true];
+
+    // From cell to cell: value of a face, gradient, corrected value, gradient,
+    // stress, what that asks of the gradients before
+    const label nLayers = 5;
+
+    labelField isNear(mesh_.nCells(), 0);
+
+    for (const label facei : solid.ownSides)
+    {
+        if (kind_[facei] == INTERFACE)
+        {
+            const label materiali =
+                mesh_.isInternalFace(facei)
+              ? materials_.materialIndex(nei_[facei])
+              : materialBeyond[facei - nInternal];
+
+            if (!materials_.materials()[materiali].solid())
+            {
+                isNear[own_[facei]] = 1;
+            }
+        }
+    }
+    for (const label facei : solid.neiSides)
+    {
+        if (!materials_.solid(own_[facei]))
+        {
+            isNear[nei_[facei]] = 1;
+        }
+    }
+
+    for (label layer = 1; layer < nLayers; ++layer)
+    {
+        const labelField before(isNear);
+        const labelField beyond(neighbourValues(before));
+
+        for (label facei = 0; facei < nInternal; ++facei)
+        {
+            isNear[own_[facei]] |= before[nei_[facei]];
+            isNear[nei_[facei]] |= before[own_[facei]];
+        }
+        for (const label i : coupled_)
+        {
+            isNear[own_[nInternal + i]] |= beyond[i];
+        }
+    }
+
+    const labelField beyond(neighbourValues(isNear));
+
+    const auto nearOwn = [&](const label facei)
+    {
+        return isNear[own_[facei]];
+    };
+    const auto nearNei = [&](const label facei)
+    {
+        return isNear[nei_[facei]];
+    };
+
+    near_.cells =
+        subsetList(solid.cells, [&](const label i) { return isNear[i]; });
+    near_.internal = subsetList
+    (
+        solid.internal,
+        [&](const label facei) { return nearOwn(facei) && nearNei(facei); }
+    );
+    near_.coupled = subsetList
+    (
+        solid.coupled,
+        [&](const label facei)
+        {
+            return nearOwn(facei) && beyond[facei - nInternal];
+        }
+    );
+    near_.ownSides = subsetList(solid.ownSides, nearOwn);
+    near_.neiSides = subsetList(solid.neiSides, nearNei);
+    near_.symmetry = subsetList(solid.symmetry, nearOwn);
+}
+
+
 void Foam::faceKinds::setUnknowns()
 {
     DynamicList<label> faces;
@@ -259,6 +342,7 @@ Foam::faceKinds::faceKinds
     setKinds(U);
     setZone(zones_[false], false);
     setZone(zones_[true], true);
+    setNear();
     setUnknowns();
 }
 

@@ -186,12 +186,20 @@ void Foam::momentumFlux::forces
     const unifiedVector& z,
     const displacementVelocity* offset,
     vectorField& cellForce,
-    vectorField& faceForce
+    vectorField& faceForce,
+    const bool near
 )
 {
     const fvMesh& mesh = geometry_.mesh();
     const labelUList& own = mesh.faceOwner();
     const bool homogeneous = !offset;
+
+    if (near)
+    {
+        geometry_.swapNear();
+        ownForce_.values() = Zero;
+        neiForce_.values() = Zero;
+    }
 
     // The fluid last: divergence takes its velocities of interfaces
     cellForce = Zero;
@@ -201,7 +209,7 @@ void Foam::momentumFlux::forces
     vectorField beyond;
     if (geometry_.anyCoupled())
     {
-        beyond = ownForce_.neighbourSides();
+        beyond.transfer(ownForce_.neighbourSides().ref());
     }
 
     // Faces whose velocity is an unknown
@@ -268,6 +276,11 @@ void Foam::momentumFlux::forces
                 geometry_.tangential(facei, ownForce_[facei]);
             cellForce[own[facei]] += ownForce_[facei];
         }
+    }
+
+    if (near)
+    {
+        geometry_.swapNear();
     }
 }
 

@@ -383,6 +383,108 @@ static void testConservation
 }
 
 
+//- Forces where solids move at the fluid only: near is all of them
+static void testNear
+(
+    const Time& runTime,
+    const label nD,
+    const string& stiffness
+)
+{
+    const string name(Foam::name(nD) + "-D " + stiffness + ", near");
+    const scalar wall = 0.2;
+
+    // Slender, so that there are links
+    const polyhedra cells
+    (
+        hexes
+        (
+            uniform(0, 1, 15),
+            uniform(0, 1.2, 4),
+            uniform(0, 0.8, nD == 2 ? 1 : 3)
+        )
+    );
+    const planes flat
+    ({
+        scalarList({0, wall, 1}), scalarList({0, 1.2}), scalarList({0, 0.8})
+    });
+    const autoPtr<fvMesh> mesh
+    (
+        boxMesh
+        (
+            runTime,
+            cells,
+            perturbed(cells.points, vector(0.01, 0.05, nD == 2 ? 0 : 0.05), flat),
+            [=](const point& x)
+            {
+                return word(x.x() < wall ? "fluid" : "solid");
+            }
+        )
+    );
+    writeMaterials(runTime, materials(stiffness));
+    evaluation e
+    (
+        mesh(),
+        "xMin { type fixedValue; value uniform (0.3 0.2 0.1); }"
+        "xMax { type solidTraction; traction constant (1 2 3);"
+        "pressure constant 0.5; }"
+        "yMin { type slip; }"
+        "yMax { type fixedValue; value uniform (0 0 0); }"
+        "\"z.*\" { type fixedValue; value uniform (0 0 0); }",
+        "\".*\" { type zeroGradient; }"
+    );
+    const fluxGeometry& g = e.geometry();
+    e.randomise();
+
+    // A cell is 1/15 long
+    for (const label celli : g.cellsAndFaces(true).cells)
+    {
+        if (mesh->cellCentres()[celli].x() > wall + 0.06)
+        {
+            e.z.U[celli] = Zero;
+        }
+    }
+    forAll(e.z.Uf, i)
+    {
+        if (g.kind(g.unknownFaces()[i]) != fluxGeometry::INTERFACE)
+        {
+            e.z.Uf[i] = Zero;
+        }
+    }
+
+    e.flux.forces(e.z, nullptr, e.cellForce, e.faceForce);
+    const vectorField cellForce(e.cellForce);
+    const vectorField faceForce(e.faceForce);
+    const scalar scale = max(mag(cellForce)());
+
+    // Far off nothing is looked at
+    for (const label celli : g.cellsAndFaces(true).cells)
+    {
+        if (mesh->cellCentres()[celli].x() > 0.9)
+        {
+            e.z.U[celli] = vector(1, 2, 3);
+        }
+    }
+    e.flux.forces(e.z, nullptr, e.cellForce, e.faceForce, true);
+
+    checkSmall
+    (
+        max(mag(e.cellForce - cellForce)())/scale, 1e-14, name + ": of cells"
+    );
+    checkSmall
+    (
+        max(mag(e.faceForce - faceForce)())/scale, 1e-14, name + ": of faces"
+    );
+
+    e.flux.forces(e.z, nullptr, e.cellForce, e.faceForce);
+    check
+    (
+        max(mag(e.cellForce - cellForce)())/scale > 1e-3,
+        name + ": the next ones are those of all solids"
+    );
+}
+
+
 //- Half a mesh with a symmetry plane against the whole, mirrored mesh
 static void testSymmetryPlane
 (
@@ -1051,6 +1153,7 @@ int main(int argc, char* argv[])
         for (const char* stiffness : {"compact", "lockingFree", "linked"})
         {
             testConservation(runTime(), nD, stiffness);
+            testNear(runTime(), nD, stiffness);
             testSymmetryPlane(runTime(), nD, stiffness);
             testUniformStress(runTime(), nD, stiffness);
         }
