@@ -279,8 +279,8 @@ bool Foam::flexibleGMRES::plainSweep
         return false;
     }
 
-    z = zNew;
-    r = rNew;
+    std::swap(z, zNew);
+    std::swap(r, rNew);
 
     return true;
 }

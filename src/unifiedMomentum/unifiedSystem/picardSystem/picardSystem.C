@@ -118,9 +118,9 @@ Foam::vectorField Foam::picardSystem::evaluate()
 }
 
 
-void Foam::picardSystem::takeIfBetter(const unifiedVector& z)
+void Foam::picardSystem::takeIfBetter(unifiedVector& z)
 {
-    unifiedVector r(r_);
+    unifiedVector r(z.U.size(), z.Uf.size());
     op_.residual(z, known_, r);
 
     if
@@ -130,8 +130,8 @@ void Foam::picardSystem::takeIfBetter(const unifiedVector& z)
      && !newton_.insideOut()
     )
     {
-        z_ = z;
-        r_ = r;
+        std::swap(z_, z);
+        std::swap(r_, r);
     }
     else if (newton_.active())
     {
