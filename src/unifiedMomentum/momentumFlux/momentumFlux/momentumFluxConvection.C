@@ -214,7 +214,7 @@ void Foam::momentumFlux::divergence
     {
         ++evaluation_;
         setFaceVelocities(z, false, homogeneous, nullptr, uf_);
-        fluidStress_.interpolate(z.U, uf_);
+        fluidStress_.faceValues(z.U, uf_);
         pressure_.interpolate(z.p, uf_, homogeneous);
     }
 

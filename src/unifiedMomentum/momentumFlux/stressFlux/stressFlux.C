@@ -230,9 +230,15 @@ void Foam::stressFlux::updateGeometry()
 }
 
 
-void Foam::stressFlux::interpolate(const vectorField& u, vectorField& uf)
+void Foam::stressFlux::faceValues(const vectorField& u, vectorField& uf)
 {
     gradient_.faceValues(u, uf, grad_);
+}
+
+
+void Foam::stressFlux::interpolate(const vectorField& u, vectorField& uf)
+{
+    faceValues(u, uf);
     gradient_.cellGradients(uf, grad_);
 }
 
