@@ -38,6 +38,15 @@ void Foam::cellStiffness::setSeenBeyond()
 
     seenBeyond_.setSize(nBoundary);
 
+    List<DynamicList<velocity>> here(nBoundary);
+    for (const label facei : coupled)
+    {
+        if (stress_.links().links(facei))
+        {
+            here[facei - nInternal] = seen(mesh.faceOwner()[facei], false);
+        }
+    }
+
     const label n = nodes_.maxFaces();
     for (label side = 0; side < n; ++side)
     {
@@ -48,17 +57,11 @@ void Foam::cellStiffness::setSeenBeyond()
 
         for (const label facei : coupled)
         {
-            const DynamicList<velocity> values
-            (
-                stress_.links().links(facei)
-              ? seen(mesh.faceOwner()[facei], false)
-              : DynamicList<velocity>()
-            );
+            const label i = facei - nInternal;
 
-            if (side < values.size())
+            if (side < here[i].size())
             {
-                const velocity& v = values[side];
-                const label i = facei - nInternal;
+                const velocity& v = here[i][side];
 
                 number[i] =
                     v.node < 0 ? isGiven : nodes_.exchange().number(v.node);
@@ -231,6 +234,14 @@ bool Foam::cellStiffness::addLinks(const label celli)
         return false;
     }
 
+    const auto ofNode = [](const label node, const tensor& T)
+    {
+        return velocity{node, -1, T, Zero, Zero};
+    };
+
+    const velocity self(ofNode(nodes_.ofCell(celli), tensor::I));
+    const DynamicList<velocity> own(seen(celli, true));
+
     forAll(sides_, sidei)
     {
         const label facei = sides_[sidei].facei;
@@ -242,15 +253,7 @@ bool Foam::cellStiffness::addLinks(const label celli)
 
         const label nLinks = links_.size();
         const label nVelocities = velocities_.size();
-        const DynamicList<velocity> own(seen(celli, true));
         bool found = true;
-
-        const auto ofNode = [](const label node, const tensor& T)
-        {
-            return velocity{node, -1, T, Zero, Zero};
-        };
-
-        const velocity self(ofNode(nodes_.ofCell(celli), tensor::I));
 
         if (geometry.kind(facei) == fluxGeometry::SYMMETRY)
         {

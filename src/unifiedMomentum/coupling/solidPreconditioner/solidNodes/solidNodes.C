@@ -78,6 +78,19 @@ void Foam::solidNodes::setOwn(const boolList& kept)
 }
 
 
+void Foam::solidNodes::addBeyond
+(
+    const label number,
+    DynamicList<label>& numbersBeyond
+)
+{
+    if (placeBeyond_.insert(number, nOwn_ + numbersBeyond.size()))
+    {
+        numbersBeyond.append(number);
+    }
+}
+
+
 void Foam::solidNodes::setBeyond()
 {
     const fvMesh& mesh = geometry_.mesh();
@@ -159,10 +172,7 @@ void Foam::solidNodes::setBeyond()
         }
         else
         {
-            if (placeBeyond_.insert(number[i], nOwn_ + numbersBeyond.size()))
-            {
-                numbersBeyond.append(number[i]);
-            }
+            addBeyond(number[i], numbersBeyond);
             beyond_[i] = placeBeyond_[number[i]];
         }
     }
@@ -209,13 +219,9 @@ void Foam::solidNodes::addSeenBeyond()
 
         for (const label i : linked_)
         {
-            if
-            (
-                number[i] >= 0 && !numbers.isLocal(number[i])
-             && placeBeyond_.insert(number[i], nOwn_ + numbersBeyond.size())
-            )
+            if (number[i] >= 0 && !numbers.isLocal(number[i]))
             {
-                numbersBeyond.append(number[i]);
+                addBeyond(number[i], numbersBeyond);
             }
         }
     }
