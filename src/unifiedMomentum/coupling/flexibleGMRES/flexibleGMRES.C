@@ -271,10 +271,8 @@ bool Foam::flexibleGMRES::plainSweep
 
     if (!(after < before))
     {
-        // A dz, for the cycle
-        unifiedVector& y = zNew;
-        y = r;
-        y.add(-1, rNew);
+        // A dz, for the cycle. Not r - rNew, which near round-off is noise
+        system.apply(dz, vectorOf(v_, 1, r));
 
         return false;
     }
