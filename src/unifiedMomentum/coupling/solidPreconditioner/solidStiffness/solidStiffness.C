@@ -69,13 +69,6 @@ void Foam::solidStiffness::expand
     nodes_.fromNodes(x, v);
     nodes_.exchange().extend(nodes_.blockSize(), x);
 
-    // No equation would take back what round-off leaves across slip faces
-    const fluxGeometry& geometry = nodes_.geometry();
-    for (const label i : slipNodes_)
-    {
-        v.Uf[i] = geometry.tangential(geometry.unknownFaces()[i], v.Uf[i]);
-    }
-
     for (const freeFaces& f : free_)
     {
         Eigen::VectorXd xc(d*f.nodes.size());
@@ -96,6 +89,14 @@ void Foam::solidStiffness::expand
         {
             v.Uf[f.faces[i]] = nodes_.full(xf.segment(d*i, d));
         }
+    }
+
+    // No equation would take back what round-off leaves across slip faces: a
+    // residual near round-off has as much across them as along them
+    const fluxGeometry& geometry = nodes_.geometry();
+    for (const label i : slip_)
+    {
+        v.Uf[i] = geometry.tangential(geometry.unknownFaces()[i], v.Uf[i]);
     }
 }
 

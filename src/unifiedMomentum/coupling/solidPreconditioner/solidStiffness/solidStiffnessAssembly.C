@@ -117,11 +117,16 @@ void Foam::solidStiffness::setSlipNodes()
     {
         const label facei = geometry.unknownFaces()[i];
 
-        if
-        (
-            nodes_.freeNode(i)
-         && geometry.kind(facei) == fluxGeometry::SLIP
-        )
+        if (geometry.kind(facei) != fluxGeometry::SLIP)
+        {
+            continue;
+        }
+
+        if (nodes_.eliminated(i))
+        {
+            slip_.append(i);
+        }
+        else if (nodes_.freeNode(i))
         {
             const label nodei = nodes_.ofFace(i);
             const label place = matrix_.place(nodei, nodei);
@@ -133,7 +138,7 @@ void Foam::solidStiffness::setSlipNodes()
 
             reduce(tensor(size*sqr(geometry.n(true, facei))), K);
             add(place, K);
-            slipNodes_.append(i);
+            slip_.append(i);
         }
     }
 }
