@@ -51,6 +51,7 @@ public:
     preconditionerType preconditioner;
     scalar sign;
     label nApplied;
+    label nKept;
     label nPreconditioned;
     label nAsked;
 
@@ -67,6 +68,7 @@ public:
         preconditioner(preconditioner),
         sign(1),
         nApplied(0),
+        nKept(0),
         nPreconditioned(0),
         nAsked(0)
     {
@@ -140,6 +142,18 @@ public:
     {
         ++nApplied;
         y = vectorOf(product(list(v)));
+    }
+
+    virtual void residual
+    (
+        const unifiedVector& zNew,
+        const unifiedVector& dz,
+        const unifiedVector& r,
+        unifiedVector& rNew
+    ) override
+    {
+        rNew = vectorOf(b - product(list(zNew)));
+        nKept += localDot(rNew, rNew) < localDot(r, r) ? 1 : 0;
     }
 
     virtual void precondition(const unifiedVector& r, unifiedVector& z) override
@@ -247,8 +261,8 @@ static flexibleGMRES::performance solve
     check
     (
         perf.nSweeps == system.nPreconditioned
-     && perf.nSweeps == system.nApplied,
-        name + ": sweeps are counted"
+     && perf.nSweeps == system.nApplied + system.nKept,
+        name + ": sweeps are counted, a first one that is kept needs no A dz"
     );
 
     return perf;
