@@ -27,67 +27,49 @@ License
 
 void Foam::eliminationTree::setOrder
 (
-    const columnMatrix& A,
-    const label d,
+    const blockPattern& A,
     const std::vector<label>& kept
 )
 {
+    typedef Eigen::SparseMatrix<float, Eigen::ColMajor, label> columnMatrix;
+
+    // The rows of the upper half are the columns of the lower one. Values do
+    // not count. Those kept take part: what they are tied to is dear
+    const label n = A.nRows();
+    const std::vector<float> values(A.nBlocks(), 1);
+    const Eigen::Map<const columnMatrix> lower
+    (
+        n,
+        n,
+        A.nBlocks(),
+        A.starts().data(),
+        A.columns().data(),
+        values.data()
+    );
+
     permutation inverse;
-
-    if (d == 1 && kept.empty())
-    {
-        Eigen::AMDOrdering<int>()(A.selfadjointView<Eigen::Lower>(), inverse);
-        order_ = inverse.transpose();
-        return;
-    }
-
-    // One column for each node. Those kept take part: what they are tied to
-    // is dear
-    const label n = A.cols()/d;
-    std::vector<Eigen::Triplet<double>> entries;
-    for (label j = 0; j < n; ++j)
-    {
-        for (columnMatrix::InnerIterator e(A, d*j); e; ++e)
-        {
-            if (e.row() % d == 0)
-            {
-                entries.push_back({int(e.row()/d), int(j), 1.0});
-            }
-        }
-    }
-    columnMatrix blocks(n, n);
-    blocks.setFromTriplets(entries.begin(), entries.end());
-    Eigen::AMDOrdering<int>()(blocks.selfadjointView<Eigen::Lower>(), inverse);
+    Eigen::AMDOrdering<label>()(lower.selfadjointView<Eigen::Lower>(), inverse);
 
     std::vector<label> place(n, -1);
     for (std::size_t i = 0; i < kept.size(); ++i)
     {
         place[kept[i]] = n - kept.size() + i;
     }
+
     label nPlaced = 0;
-    order_.resize(A.cols());
+    order_.resize(n);
     for (label i = 0; i < n; ++i)
     {
         const label node = inverse.indices()[i];
-        if (place[node] < 0)
-        {
-            place[node] = nPlaced++;
-        }
-        for (label k = 0; k < d; ++k)
-        {
-            order_.indices()[d*node + k] = d*place[node] + k;
-        }
+        order_.indices()[node] = place[node] < 0 ? nPlaced++ : place[node];
     }
 }
 
 
-void Foam::eliminationTree::set(const columnMatrix& A)
+void Foam::eliminationTree::set(const blockPattern& bothHalves)
 {
-    const label n = A.cols();
-
-    columnMatrix upper(n, n);
-    upper.selfadjointView<Eigen::Upper>() =
-        A.selfadjointView<Eigen::Lower>().twistedBy(order_);
+    const label n = bothHalves.nRows();
+    const permutation inverse(order_.inverse());
 
     parent_.assign(n, -1);
     size_.assign(n, 0);
@@ -101,11 +83,19 @@ void Foam::eliminationTree::set(const columnMatrix& A)
     // Row k of the factor: the ways up from the entries of row k of A
     for (label k = 0; k < n; ++k)
     {
+        const label node = inverse.indices()[k];
         seenBy[k] = k;
 
-        for (columnMatrix::InnerIterator e(upper, k); e; ++e)
+        for
+        (
+            label b = bothHalves.start(node);
+            b < bothHalves.start(node + 1);
+            ++b
+        )
         {
-            for (label i = e.row(); seenBy[i] != k; i = parent_[i])
+            label i = order_.indices()[bothHalves.column(b)];
+
+            for (; i < k && seenBy[i] != k; i = parent_[i])
             {
                 if (parent_[i] < 0)
                 {
@@ -170,17 +160,19 @@ void Foam::eliminationTree::postorder()
 
 Foam::eliminationTree::eliminationTree
 (
-    const columnMatrix& A,
-    const label d,
+    const blockPattern& A,
     const std::vector<label>& kept
 )
 :
-    nEliminated_(A.cols() - d*kept.size())
+    d_(A.blockRows()),
+    nEliminated_(A.nRows() - kept.size())
 {
-    setOrder(A, d, kept);
-    set(A);
+    const blockPattern bothHalves(A.bothHalves());
+
+    setOrder(A, kept);
+    set(bothHalves);
     postorder();
-    set(A);
+    set(bothHalves);
 }
 
 
@@ -191,7 +183,10 @@ Foam::scalar Foam::eliminationTree::operations() const
     scalar sum = 0;
     for (const label size : size_)
     {
-        sum += scalar(size)*size;
+        for (label k = 0; k < d_; ++k)
+        {
+            sum += sqr(scalar(d_*size + k));
+        }
     }
 
     return sum;

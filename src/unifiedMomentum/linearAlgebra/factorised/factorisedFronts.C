@@ -28,22 +28,44 @@ License
 void Foam::factorised::setFront
 (
     const panel& p,
-    const columnMatrix& A,
+    const ordered& m,
     const double factor,
     const std::vector<label>& place,
     Eigen::MatrixXd& front
 ) const
 {
+    const label d = m.A.blockRows();
+    std::vector<double> values(m.A.blockSize());
+
     front.setZero(p.width + p.nRows, p.width + p.nRows);
 
-    for (label k = 0; k < p.width; ++k)
+    for (label column = 0; column < p.width; column += d)
     {
-        for (columnMatrix::InnerIterator e(A, p.first + k); e; ++e)
+        const label node = m.node.indices()[(p.first + column)/d];
+        const label first = m.bothHalves.start(node);
+
+        for (label b = first; b < m.bothHalves.start(node + 1); ++b)
         {
-            front(place[e.row()], k) = e.value();
+            const label other = m.bothHalves.column(b);
+            const label row = d*nodeOrder_.indices()[other];
+
+            if (row < p.first + column)
+            {
+                continue;
+            }
+
+            m.A.copyBlock(other, node, values.data());
+            for (label k = 0; k < d; ++k)
+            {
+                for (label l = 0; l < d; ++l)
+                {
+                    front(place[row] + k, column + l) = values[d*k + l];
+                }
+            }
         }
-        front(k, k) *= factor;
     }
+
+    front.diagonal().head(p.width) *= factor;
 }
 
 
@@ -111,7 +133,7 @@ bool Foam::factorised::eliminate(const label width, Eigen::MatrixXd& front)
 template<class Real>
 bool Foam::factorised::factorise
 (
-    const columnMatrix& A,
+    const ordered& m,
     const double factor,
     std::vector<Real>& values,
     Eigen::MatrixXd& left
@@ -120,7 +142,7 @@ bool Foam::factorised::factorise
     D_.resize(kept_.first);
     values.assign(nValues_, 0);
 
-    std::vector<label> place(A.cols());
+    std::vector<label> place(m.A.rows());
     std::vector<std::vector<label>> children(panels_.size() + 1);
 
     // What a panel changes in the rows below, lower half column by column
@@ -138,7 +160,7 @@ bool Foam::factorised::factorise
             place[rows_[p.row + k]] = p.width + k;
         }
 
-        setFront(p, A, factor, place, front);
+        setFront(p, m, factor, place, front);
 
         for (const label child : children[i])
         {
@@ -191,7 +213,7 @@ bool Foam::factorised::factorise
 template<class Real>
 Eigen::MatrixXd Foam::factorised::factorise
 (
-    const columnMatrix& A,
+    const ordered& m,
     std::vector<Real>& values
 )
 {
@@ -200,7 +222,7 @@ Eigen::MatrixXd Foam::factorised::factorise
     // A free body at a huge time step is singular to round-off
     for (double shift = 1e-13; shift < 1; shift *= 100)
     {
-        if (factorise(A, 1 + shift, values, left))
+        if (factorise(m, 1 + shift, values, left))
         {
             largest_ = D_.size() ? D_.maxCoeff() : 1;
             return left;
@@ -225,11 +247,11 @@ void Foam::factorised::set(const blockMatrix& A)
 
     std::vector<double>().swap(values_);
     std::vector<float>().swap(singles_);
-    const columnMatrix lower(ordered(A, 1, {}));
+    const ordered m(order(A, {}));
 
     if (nValues_ >= minShort)
     {
-        factorise(lower, singles_);
+        factorise(m, singles_);
         if (tryShort(A))
         {
             return;
@@ -238,7 +260,7 @@ void Foam::factorised::set(const blockMatrix& A)
     }
 
     // Far below any tolerance
-    factorise(lower, values_);
+    factorise(m, values_);
     error_ = 1e-9;
 }
 
@@ -257,12 +279,12 @@ Eigen::MatrixXd Foam::factorised::condense
 
     std::vector<double>().swap(values_);
     std::vector<float>().swap(singles_);
-    const columnMatrix lower(ordered(A, A.blockRows(), kept));
+    const ordered m(order(A, kept));
 
     return
         allowShort && nValues_ >= minShort
-      ? factorise(lower, singles_)
-      : factorise(lower, values_);
+      ? factorise(m, singles_)
+      : factorise(m, values_);
 }
 
 

@@ -22,23 +22,13 @@ License
 
 #include "factorised.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace Foam
-{
-
-//- The lower half, whose columns are the rows of the upper one
-static Eigen::SparseMatrix<double> lowerHalf(const blockMatrix& A)
-{
-    return A.sparse().transpose();
-}
-
-} // End namespace Foam
-
-
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::factorised::setPanels(const eliminationTree& tree)
+void Foam::factorised::setPanels
+(
+    const eliminationTree& tree,
+    const label d
+)
 {
     // Zeros that a panel may have, of its entries
     const double maxZeros = 0.15;
@@ -49,7 +39,7 @@ void Foam::factorised::setPanels(const eliminationTree& tree)
     nValues_ = 0;
     label nRows = 0;
 
-    for (label first = 0; first < n; first += panels_.back().width)
+    for (label first = 0; first < n; first += panels_.back().width/d)
     {
         label last = first;
         double zeros = 0;
@@ -71,9 +61,9 @@ void Foam::factorised::setPanels(const eliminationTree& tree)
 
         const panel p
         {
-            first,
-            last - first + 1,
-            tree.size(last),
+            d*first,
+            d*(last - first + 1),
+            d*tree.size(last),
             nRows,
             nValues_
         };
@@ -83,56 +73,72 @@ void Foam::factorised::setPanels(const eliminationTree& tree)
         panels_.push_back(p);
     }
 
-    kept_ = panel{n, label(order_.size()) - n, 0, nRows, nValues_};
+    kept_ = panel{d*n, label(order_.size()) - d*n, 0, nRows, nValues_};
 }
 
 
-void Foam::factorised::setRows(const columnMatrix& A)
+void Foam::factorised::setRows(const ordered& m)
 {
-    std::vector<label> panelOf(A.cols(), panels_.size());
+    const label d = m.A.blockRows();
+
+    // In nodes
+    std::vector<label> panelOf(m.A.nRows(), panels_.size());
     for (std::size_t i = 0; i < panels_.size(); ++i)
     {
-        const auto first = panelOf.begin() + panels_[i].first;
-        std::fill(first, first + panels_[i].width, i);
+        const auto first = panelOf.begin() + panels_[i].first/d;
+        std::fill(first, first + panels_[i].width/d, i);
     }
 
     rows_.clear();
     parent_.clear();
-    std::vector<label> seenBy(A.cols(), -1);
+    std::vector<label> seenBy(m.A.nRows(), -1);
+    std::vector<label> below;
     std::vector<std::vector<label>> children(panels_.size() + 1);
 
     for (std::size_t i = 0; i < panels_.size(); ++i)
     {
         const panel& p = panels_[i];
-        const label end = p.first + p.width;
+        const label end = (p.first + p.width)/d;
+        below.clear();
 
         const auto add = [&](const label row)
         {
             if (row >= end && seenBy[row] != label(i))
             {
                 seenBy[row] = i;
-                rows_.push_back(row);
+                below.push_back(row);
             }
         };
 
-        for (label column = p.first; column < end; ++column)
+        for (label column = p.first/d; column < end; ++column)
         {
-            for (columnMatrix::InnerIterator e(A, column); e; ++e)
+            const label node = m.node.indices()[column];
+            const label first = m.bothHalves.start(node);
+
+            for (label b = first; b < m.bothHalves.start(node + 1); ++b)
             {
-                add(e.row());
+                add(nodeOrder_.indices()[m.bothHalves.column(b)]);
             }
         }
         for (const label child : children[i])
         {
             const panel& c = panels_[child];
-            for (label k = 0; k < c.nRows; ++k)
+            for (label k = 0; k < c.nRows; k += d)
             {
-                add(rows_[c.row + k]);
+                add(rows_[c.row + k]/d);
             }
         }
-        std::sort(rows_.begin() + p.row, rows_.end());
 
-        parent_.push_back(p.nRows ? panelOf[rows_[p.row]] : -1);
+        std::sort(below.begin(), below.end());
+        for (const label row : below)
+        {
+            for (label k = 0; k < d; ++k)
+            {
+                rows_.push_back(d*row + k);
+            }
+        }
+
+        parent_.push_back(p.nRows ? panelOf[below[0]] : -1);
         if (p.nRows)
         {
             children[parent_[i]].push_back(i);
@@ -141,34 +147,37 @@ void Foam::factorised::setRows(const columnMatrix& A)
 }
 
 
-Foam::factorised::columnMatrix Foam::factorised::ordered
+Foam::factorised::ordered Foam::factorised::order
 (
     const blockMatrix& A,
-    const label d,
     const std::vector<label>& kept
 )
 {
+    const label d = A.blockRows();
     const bool first = !order_.size();
-    columnMatrix lower(A.rows(), A.cols());
-    {
-        const columnMatrix columns(lowerHalf(A));
 
-        if (first)
-        {
-            const eliminationTree tree(columns, d, kept);
-            order_ = tree.order();
-            setPanels(tree);
-        }
-
-        lower.selfadjointView<Eigen::Lower>() =
-            columns.selfadjointView<Eigen::Lower>().twistedBy(order_);
-    }
     if (first)
     {
-        setRows(lower);
+        const eliminationTree tree(A, kept);
+
+        nodeOrder_ = tree.order();
+        order_.resize(A.rows());
+        for (label row = 0; row < A.rows(); ++row)
+        {
+            order_.indices()[row] =
+                d*nodeOrder_.indices()[row/d] + row % d;
+        }
+        setPanels(tree, d);
     }
 
-    return lower;
+    const ordered m{A, A.bothHalves(), nodeOrder_.inverse()};
+
+    if (first)
+    {
+        setRows(m);
+    }
+
+    return m;
 }
 
 
@@ -176,7 +185,7 @@ Foam::factorised::columnMatrix Foam::factorised::ordered
 
 Foam::scalar Foam::factorised::operations(const blockMatrix& A)
 {
-    return eliminationTree(lowerHalf(A)).operations();
+    return eliminationTree(A).operations();
 }
 
 

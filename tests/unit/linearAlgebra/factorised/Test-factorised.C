@@ -88,8 +88,9 @@ static scalar errorOf(const factorised& f, const blockMatrix& blocks)
 //- Parents and sizes are those of the dense factor in the order of the tree
 static void testTree()
 {
-    const sparseMatrix A(membrane(9, 1).sparse());
-    const eliminationTree tree(A.transpose());
+    const blockMatrix blocks(membrane(9, 1));
+    const sparseMatrix A(blocks.sparse());
+    const eliminationTree tree(blocks);
     const label n = A.rows();
 
     const Eigen::MatrixXd upper(A);
@@ -202,7 +203,12 @@ static void testFronts()
 static void testKept(const string& name, const std::vector<label>& kept)
 {
     const label d = 2;
-    const blockMatrix blocks(membrane(12, 1).sparse(), d);
+    const sparseMatrix half(membrane(12, 1).sparse());
+    const blockMatrix blocks
+    (
+        sparseMatrix(half.selfadjointView<Eigen::Upper>()),
+        d
+    );
     const Eigen::MatrixXd upper(blocks.sparse());
     const Eigen::MatrixXd A(upper.selfadjointView<Eigen::Upper>());
     const label n = A.rows();
