@@ -267,6 +267,14 @@ int main(int argc, char *argv[])
             run(solver, "componentBlocks", "componentBlocks");
         }
     }
+    if (mesh.nSolutionD() == 2)
+    {
+        // As large bodies are
+        rigidBodyModes::maxLinked2D = 0;
+        solidSolver solver(op, block, ownSide, neiSide);
+        solver.update();
+        run(solver, "rigidBodyModes", "unlinked");
+    }
     {
         rigidBodyModes::maxDirect2D = 0;
         rigidBodyModes::maxDirect3D = 0;

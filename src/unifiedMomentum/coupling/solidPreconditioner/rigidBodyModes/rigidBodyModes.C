@@ -30,9 +30,11 @@ Foam::label Foam::rigidBodyModes::maxWhole2D = 10000;
 
 Foam::label Foam::rigidBodyModes::maxDirect3D = 1000;
 
-Foam::label Foam::rigidBodyModes::maxDirect2D = 30000;
+Foam::label Foam::rigidBodyModes::maxDirect2D = 200000;
 
 Foam::label Foam::rigidBodyModes::maxInterface2D = 400;
+
+Foam::label Foam::rigidBodyModes::maxLinked2D = 30000;
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -181,11 +183,12 @@ Foam::rigidBodyModes::rigidBodyModes(unifiedOperator& op, const faces& f)
 :
     solidPreconditioner(op, f),
     factorise_(direct(op.geometry())),
+    linked_(factorise_ && fewForLinks(op.geometry())),
     nodes_
     (
         op.geometry(),
-        seenByLinks(op, factorise_),
-        linksBeyond(op, factorise_)
+        seenByLinks(op, linked_),
+        linksBeyond(op, linked_)
     ),
     betaDt_(-1),
     betaDtSince_(-1),

@@ -159,16 +159,26 @@ bool Foam::rigidBodyModes::direct(const fluxGeometry& geometry)
 }
 
 
+bool Foam::rigidBodyModes::fewForLinks(const fluxGeometry& geometry)
+{
+    const label nOwn = geometry.cellsAndFaces(true).cells.size();
+
+    return
+        geometry.mesh().nSolutionD() == 3
+     || returnReduce(nOwn, maxOp<label>()) <= maxLinked2D;
+}
+
+
 bool Foam::rigidBodyModes::hasLinks
 (
     const unifiedOperator& op,
-    const bool factorise
+    const bool linked
 )
 {
     // On skew cells the matrix is not that of the operator anyway, and knows
     // slender tetrahedra better with the faces eliminated
     return
-        factorise && op.flux().stress(true).links().active()
+        linked && op.flux().stress(true).links().active()
      && !op.geometry().skewed(true);
 }
 
@@ -176,19 +186,19 @@ bool Foam::rigidBodyModes::hasLinks
 Foam::boolList Foam::rigidBodyModes::seenByLinks
 (
     const unifiedOperator& op,
-    const bool factorise
+    const bool linked
 )
 {
     const fluxGeometry& geometry = op.geometry();
     const fvMesh& mesh = geometry.mesh();
     const faceLinks& links = op.flux().stress(true).links();
 
-    if (!hasLinks(op, factorise))
+    if (!hasLinks(op, linked))
     {
         return boolList();
     }
 
-    const auto linked = [&](const label celli)
+    const auto hasAny = [&](const label celli)
     {
         for (const label facei : mesh.cells()[celli])
         {
@@ -210,10 +220,10 @@ Foam::boolList Foam::rigidBodyModes::seenByLinks
         const label facei = geometry.unknownFaces()[i];
 
         seen[i] =
-            linked(mesh.faceOwner()[facei])
+            hasAny(mesh.faceOwner()[facei])
          || (
                 mesh.isInternalFace(facei)
-             && linked(mesh.faceNeighbour()[facei])
+             && hasAny(mesh.faceNeighbour()[facei])
             );
     }
 
@@ -224,7 +234,7 @@ Foam::boolList Foam::rigidBodyModes::seenByLinks
 Foam::bitSet Foam::rigidBodyModes::linksBeyond
 (
     const unifiedOperator& op,
-    const bool factorise
+    const bool linked
 )
 {
     const fluxGeometry& geometry = op.geometry();
@@ -233,7 +243,7 @@ Foam::bitSet Foam::rigidBodyModes::linksBeyond
     // Twice as many interface nodes: worth it while they are few
     if
     (
-        !hasLinks(op, factorise) || !geometry.anyCoupled()
+        !hasLinks(op, linked) || !geometry.anyCoupled()
      || nInterface(geometry) > maxInterface2D/2
     )
     {
@@ -344,7 +354,6 @@ bool Foam::rigidBodyModes::hard() const
 void Foam::rigidBodyModes::setUp()
 {
     const label nCells = nodes_.geometry().mesh().nCells();
-    const label d = nodes_.blockSize();
 
     // Those of an old shape first
     factors_.clear();
@@ -352,8 +361,6 @@ void Foam::rigidBodyModes::setUp()
     smoother_.clear();
     stiffness_.clear();
 
-    // Links make the rows of the matrix up to four times longer. In multigrid
-    // that costs more than the iterations that they save.
     // Without the factor beta dt: the same at any time step, to the last
     // digit, so that a restart goes on bitwise
     stiffness_.reset
@@ -362,7 +369,7 @@ void Foam::rigidBodyModes::setUp()
         (
             nodes_,
             op_.flux().stress(true),
-            factorise_,
+            linked_,
             shape_.cells.size() ? &shape_ : nullptr
         )
     );
