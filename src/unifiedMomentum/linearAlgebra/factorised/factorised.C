@@ -34,14 +34,6 @@ constexpr Foam::scalar Foam::factorised::roundOff;
 
 namespace Foam
 {
-    template<class Real>
-    using factorBlock = Eigen::Map
-    <
-        const Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>,
-        0,
-        Eigen::OuterStride<>
-    >;
-
     //- In single precision, over the largest: it has a narrow range
     static double toShort(const Eigen::VectorXd& x, Eigen::VectorXf& singles)
     {
@@ -62,37 +54,19 @@ void Foam::factorised::forward
     Eigen::Matrix<Real, Eigen::Dynamic, 1>& x
 ) const
 {
-    Eigen::Matrix<Real, Eigen::Dynamic, 1> rest;
+    panelValues<Real> panels(maxWidth_);
 
     for (const panel& p : panels_)
     {
-        auto own = x.segment(p.first, p.width);
-        const Real* value = values.data() + p.value;
-        const Eigen::OuterStride<> stride(p.width + p.nRows);
-        const factorBlock<Real> L(value, p.width, p.width, stride);
-
-        for (label k = 0; k + 1 < p.width; ++k)
-        {
-            const label n = p.width - k - 1;
-            own.tail(n) -= own[k]*L.col(k).tail(n);
-        }
-
-        if (p.nRows)
-        {
-            const factorBlock<Real> below
-            (
-                value + p.width,
-                p.nRows,
-                p.width,
-                stride
-            );
-
-            rest.noalias() = below*own;
-            for (label k = 0; k < p.nRows; ++k)
-            {
-                x[rows_[p.row + k]] -= rest[k];
-            }
-        }
+        panels.forward
+        (
+            values.data() + p.value,
+            p.width,
+            p.nRows,
+            rows_.data() + p.row,
+            x.data() + p.first,
+            x.data()
+        );
     }
 }
 
@@ -104,39 +78,19 @@ void Foam::factorised::backward
     Eigen::Matrix<Real, Eigen::Dynamic, 1>& x
 ) const
 {
-    Eigen::Matrix<Real, Eigen::Dynamic, 1> rest;
+    panelValues<Real> panels(maxWidth_);
 
-    for (auto iter = panels_.rbegin(); iter != panels_.rend(); ++iter)
+    for (auto p = panels_.rbegin(); p != panels_.rend(); ++p)
     {
-        const panel& p = *iter;
-        auto own = x.segment(p.first, p.width);
-        const Real* value = values.data() + p.value;
-        const Eigen::OuterStride<> stride(p.width + p.nRows);
-        const factorBlock<Real> L(value, p.width, p.width, stride);
-
-        if (p.nRows)
-        {
-            const factorBlock<Real> below
-            (
-                value + p.width,
-                p.nRows,
-                p.width,
-                stride
-            );
-
-            rest.resize(p.nRows);
-            for (label k = 0; k < p.nRows; ++k)
-            {
-                rest[k] = x[rows_[p.row + k]];
-            }
-            own.noalias() -= below.transpose()*rest;
-        }
-
-        for (label k = p.width - 2; k >= 0; --k)
-        {
-            const label n = p.width - k - 1;
-            own[k] -= L.col(k).tail(n).dot(own.tail(n));
-        }
+        panels.backward
+        (
+            values.data() + p->value,
+            p->width,
+            p->nRows,
+            rows_.data() + p->row,
+            x.data() + p->first,
+            x.data()
+        );
     }
 }
 
@@ -190,6 +144,7 @@ bool Foam::factorised::tryShort(const blockMatrix& A)
 Foam::factorised::factorised()
 :
     kept_{},
+    maxWidth_(0),
     nValues_(0),
     largest_(1),
     error_(0)

@@ -181,15 +181,8 @@ bool Foam::factorised::factorise
             return false;
         }
 
-        Real* value = values.data() + p.value;
-        for (label k = 0; k < p.width; ++k, value += size)
-        {
-            D_[p.first + k] = front(k, k);
-            for (label l = k + 1; l < size; ++l)
-            {
-                value[l] = Real(front(l, k));
-            }
-        }
+        D_.segment(p.first, p.width) = front.diagonal().head(p.width);
+        panelValues<Real>::set(front, p.width, values.data() + p.value);
 
         if (p.nRows)
         {

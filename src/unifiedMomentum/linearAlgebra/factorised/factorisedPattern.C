@@ -36,6 +36,7 @@ void Foam::factorised::setPanels
     const label n = tree.nEliminated();
 
     panels_.clear();
+    maxWidth_ = 0;
     nValues_ = 0;
     label nRows = 0;
 
@@ -69,7 +70,8 @@ void Foam::factorised::setPanels
         };
 
         nRows += p.nRows;
-        nValues_ += std::size_t(p.width + p.nRows)*p.width;
+        nValues_ += panelValues<float>::size(p.width, p.nRows);
+        maxWidth_ = max(maxWidth_, p.width);
         panels_.push_back(p);
     }
 
