@@ -41,13 +41,13 @@ void Foam::factorised::setFront
 
     for (label column = 0; column < p.width; column += d)
     {
-        const label node = m.node.indices()[(p.first + column)/d];
+        const label node = m.rows.indices()[p.first + column]/d;
         const label first = m.bothHalves.start(node);
 
         for (label b = first; b < m.bothHalves.start(node + 1); ++b)
         {
             const label other = m.bothHalves.column(b);
-            const label row = d*nodeOrder_.indices()[other];
+            const label row = order_.indices()[d*other];
 
             if (row < p.first + column)
             {

@@ -114,12 +114,12 @@ void Foam::factorised::setRows(const ordered& m)
 
         for (label column = p.first/d; column < end; ++column)
         {
-            const label node = m.node.indices()[column];
+            const label node = m.rows.indices()[d*column]/d;
             const label first = m.bothHalves.start(node);
 
             for (label b = first; b < m.bothHalves.start(node + 1); ++b)
             {
-                add(nodeOrder_.indices()[m.bothHalves.column(b)]);
+                add(order_.indices()[d*m.bothHalves.column(b)]/d);
             }
         }
         for (const label child : children[i])
@@ -162,17 +162,16 @@ Foam::factorised::ordered Foam::factorised::order
     {
         const eliminationTree tree(A, kept);
 
-        nodeOrder_ = tree.order();
         order_.resize(A.rows());
         for (label row = 0; row < A.rows(); ++row)
         {
             order_.indices()[row] =
-                d*nodeOrder_.indices()[row/d] + row % d;
+                d*tree.order().indices()[row/d] + row % d;
         }
         setPanels(tree, d);
     }
 
-    const ordered m{A, A.bothHalves(), nodeOrder_.inverse()};
+    const ordered m{A, A.bothHalves(), order_.inverse()};
 
     if (first)
     {
